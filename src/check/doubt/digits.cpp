@@ -335,6 +335,27 @@ bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& 
          symbols_in(tree, right.id).empty() && shown_in(tree, names, right.id, false);
 }
 
+bool has_degrees_alone(const ExprTree& tree, const Names& names, const Equation& equation) {
+  bool degrees = false;
+  std::vector<ExprId> pending{equation.left, equation.right};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    const ExprNode& node = tree[id];
+    const bool inverse =
+        node.op == Op::function && (node.function == Function::arcsin || node.function == Function::arccos ||
+                                    node.function == Function::arctan);
+    if (is_degree(tree, names, id)) {
+      degrees = true;
+    } else if (inverse || (node.op == Op::symbol && is_circle_number(tree, names, node.symbol))) {
+      return false;
+    } else if (node.op != Op::function) {
+      pending.insert(pending.end(), tree.children(id).begin(), tree.children(id).end());
+    }
+  }
+  return degrees;
+}
+
 std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& names, const Claim& claim,
                                                    DecisionCache* cache, bool measured) {
   if (claim.equation.relation != Relation::equal || tree[claim.equation.left].rank != 0) return std::nullopt;
@@ -346,16 +367,18 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& 
     const ExprId value = swap ? equation.right : equation.left;
     const bool order = claim.nearly && is_power_of_ten(tree, side);  // `1024 \approx 10^3`
     if (order && is_a_number(tree, names, value)) return DigitComparison{};
+    // `100\,\mathrm{m}/(3\,\mathrm{s}) = 33\,\mathrm{m/s}`,
     // `0.5 \cdot 9.8 \cdot 3^2 = 44`; `2\pi(60\,\mathrm{Hz}) = 377\,\mathrm{s^{-1}}`, whose digits may be
     // rounded
     const bool of_decimals = has_decimal(tree, names, value);
-    const bool may_be_rounded = has_no_end(tree, names, value) && (measured || has_units(tree, side) ||
-                                                                   has_degrees(tree, names, {value, side}));
+    const bool may_be_rounded =
+        has_units(tree, side) ||
+        (has_no_end(tree, names, value) && (measured || has_degrees(tree, names, {value, side})));
     const auto shown = shown_in(tree, names, side, claim.nearly || of_decimals || may_be_rounded);
     const bool whole = shown && !claim.nearly && !of_decimals && !shown_in(tree, names, side, false);
-    if (whole && shown->digits < 2) continue;
     if (!shown || !is_a_number(tree, names, value)) continue;
     Comparison comparison(tree, names, value, side, *shown, cache);
+    if (whole && comparison.lies_within(0, 0) == true) continue;  // nothing is rounded
     // In 1000 after ≈, two digits must be right, though one may be all that is meant.
     const bool two_are_sure = shown->digits - shown->unsure >= 2;
     const auto rounds =

@@ -42,6 +42,9 @@ struct NumberShown {
 
 /// \pi/180
 [[nodiscard]] bool is_degree(const ExprTree& tree, const Names& names, ExprId id);
+/// `80^\circ - 20^\circ` can be temperatures, and `270^\circ = -90^\circ` leaves out a turn. Beside π and
+/// inverse functions, and in the argument of a function, degrees are angles.
+[[nodiscard]] bool has_degrees_alone(const ExprTree& tree, const Names& names, const Equation& equation);
 
 /// `37^\circ`, but not `45^\circ`: an angle in whole degrees, of which most are rounded. Definitions are put
 /// in.

@@ -99,7 +99,8 @@ class RepairSearch {
       if (lack_terms(holding) && compares && !asked_) add_insertions(holding);
       if (holding.empty() && compares && !asked_)
         holding = holding_on_samples(rewritten, equations, terms, true);
-      if (holding.empty() && compares && !asked_ && others == NotCompared::asked) add_letters_near(holding);
+      if (holding.empty() && compares && !asked_ && others != NotCompared::left_out)
+        add_letters_near(holding);
     }
     sort_and_reduce(holding, candidates_.side(0), candidates_.side(1));
     std::vector<TrueNeighbour> found = prove_the_nearest(holding, most_judged, in_coordinates);
@@ -146,7 +147,7 @@ class RepairSearch {
       holding.push_back(std::move(each));
   }
 
-  /// Of a row that is known to be wrong: other rows name other quantities.
+  /// Of a row that is known to be wrong, or is told only what is near it: other rows name other quantities.
   void add_letters_near(std::vector<RepairCandidate>& holding) {
     std::vector<RepairCandidate> others = candidates_.with_letters_near();
     const std::vector<Equation> equations = read(others);

@@ -48,7 +48,8 @@ using Asked = std::function<std::optional<Equation>(ExprTree&, const Names&, con
 
 /// What is done with neighbours that samples do not compare, such as integrals that the wrong row has not:
 /// each is proved or not, which takes a thousand times as long. A row that is known to be wrong is worth it.
-enum class NotCompared : std::uint8_t { left_out, asked };
+/// `left_out_but_letters_near`: where nothing is near, letters of other rows are tried as well, on samples.
+enum class NotCompared : std::uint8_t { left_out, left_out_but_letters_near, asked };
 
 /// A true statement within one slip of the wrong one.
 struct TrueNeighbour {

@@ -62,7 +62,7 @@ class Suspecting {
   std::vector<TrueNeighbour> all(const NeighbourProof& follows) {
     const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim,
                                      Slip slip) -> std::optional<std::vector<std::string>> {
-      if (repeats(tree, claim.equation)) return std::nullopt;
+      if (repeats(tree, claim.equation) || calls_zero(tree, claim.equation, slip)) return std::nullopt;
       return follows(tree, without_laws(names), claim, slip);
     };
     auto solutions = solutions_near(row_.available, [](Slip) { return true; });
@@ -72,7 +72,8 @@ class Suspecting {
     while (sets.size() > 1 && !is_met(sets.back())) sets.pop_back();
     ExprTree grown = tree_;
     const Names met = with_laws_and_constants({grown, names_, row_.claim, &cache_}, sets.back());
-    return true_neighbours(grown, met, row_.wrong, proof, &cache_);
+    return true_neighbours(grown, met, row_.wrong, proof, &cache_, {},
+                           NotCompared::left_out_but_letters_near);
   }
 
  private:
@@ -82,6 +83,16 @@ class Suspecting {
     return is_trivial_up_to_order(tree, candidate.left, candidate.right) ||
            (is_trivial_up_to_order(tree, candidate.left, own.left) &&
             is_trivial_up_to_order(tree, candidate.right, own.right));
+  }
+
+  /// `x - 1 = 0`: that `x - x` is 0 says nothing, and a side that becomes 0 was meant to be something.
+  bool calls_zero(const ExprTree& tree, const Equation& candidate, Slip slip) const {
+    const Equation& own = row_.claim.equation;
+    const auto is_zero = [&](ExprId now) { return tree.is_zero_literal(now); };
+    const bool becomes_zero = (is_zero(candidate.left) && !tree_.is_zero_literal(own.left)) ||
+                              (is_zero(candidate.right) && !tree_.is_zero_literal(own.right));
+    return becomes_zero ||
+           (slip == Slip::term_missing && (is_zero(candidate.left) || is_zero(candidate.right)));
   }
 
   /// What was read, without the laws that the samples met.

@@ -24,12 +24,13 @@ bool is_near(const ExprTree& tree, const Names& names, const Equation& numbers) 
   return left && right && std::abs(*left - *right) < nearness * std::abs(*right);
 }
 
-/// More than what is rounded in an angle of whole degrees; not known where letters are left.
+/// More than what is rounded in an angle of whole degrees; not known where letters are left, nor beside a 0.
 bool is_beyond_rounding(const ExprTree& tree, const Names& names, const Equation& equation) {
   constexpr double rounding = 0.02;
   const auto left = approximate_value(tree, names, equation.left);
   const auto right = approximate_value(tree, names, equation.right);
-  return left && right && std::abs(*left - *right) > rounding * std::abs(*right);
+  if (!left || !right || *left == 0.0 || *right == 0.0) return false;
+  return std::abs(*left - *right) > rounding * std::max(std::abs(*left), std::abs(*right));
 }
 
 /// Where the number lies instead; nothing where the step is not refuted so.
@@ -37,7 +38,7 @@ std::optional<Counterexample> bound_of(ExprTree& tree, const Names& names, const
                                        DecisionCache* cache) {
   if (claim.nearly || claim.doubt != nullptr || claim.equation.relation != Relation::equal)
     return std::nullopt;
-  if (guess_of(*claim.reading)) return std::nullopt;
+  if (guess_of(*claim.reading) || has_degrees_alone(tree, names, claim.equation)) return std::nullopt;
   const auto is_own = [&](ExprId side) {
     return std::ranges::all_of(symbols_in(tree, side),
                                [&](SymbolId symbol) { return is_circle_number(tree, names, symbol); });

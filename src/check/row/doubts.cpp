@@ -10,6 +10,7 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "check/constant/natural_units.h"
+#include "check/doubt/digits.h"
 #include "check/doubt/equation_of_letters.h"
 #include "check/place/place.h"
 #include "check/prose/open_words.h"
@@ -248,6 +249,12 @@ std::optional<Doubt> for_other_values(RowPlace& place, const StepReading& row, c
   return std::nullopt;
 }
 
+std::optional<Doubt> of_degrees_alone(RowPlace& place, const StepReading&, const Claim& claim) {
+  if (!has_degrees_alone(place.tree, place.names, claim.equation)) return std::nullopt;
+  return Doubt{.message = "the degrees can be those of a temperature, or whole turns may be left out",
+               .help = {"beside π or an inverse function they are angles"}};
+}
+
 }  // namespace
 
 void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
@@ -258,9 +265,9 @@ void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
 }
 
 std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row, const Claim& claim) {
-  for (const auto ask : {of_a_contradiction, with_a_unit_missing, in_natural_units, about_written_zeros,
-                         of_a_matrix_and_a_number, of_another_value, among_alternatives, by_a_borrowed_letter,
-                         for_other_values}) {
+  for (const auto ask : {of_degrees_alone, of_a_contradiction, with_a_unit_missing, in_natural_units,
+                         about_written_zeros, of_a_matrix_and_a_number, of_another_value, among_alternatives,
+                         by_a_borrowed_letter, for_other_values}) {
     if (auto doubt = ask(place, row, claim)) return doubt;
   }
   return std::nullopt;

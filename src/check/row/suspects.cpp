@@ -95,9 +95,11 @@ WrongStep as_wrong(const RowPlace& place, const StepReading& row) {
           .near = sides_near(place.notes, row.parsed)};
 }
 
+/// `D(x - y) = D(y - x)` can say that the function D is even, and needs no sign then: not as a product.
 bool may_hold_a_slip(const RowPlace& place, const StepReading& row) {
   return place.options.repairs != Repairs::none && !place.is_stated && row.role == Role::display &&
-         !row.unsettled && row.recorded == nullptr && !is_alternative(place, row.parsed);
+         !row.unsettled && row.recorded == nullptr && !is_alternative(place, row.parsed) &&
+         row.reading.how().open != OpenBracket::factor;
 }
 
 }  // namespace
@@ -113,8 +115,6 @@ bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
 
 bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (!may_hold_a_slip(place, row)) return false;
-  // `D(x - y) = D(y - x)` can say that the function D is even, and needs no sign then.
-  if (row.reading.how().open == OpenBracket::factor) return false;
   // "Solve `\ln x^2 = \ln x`": it says which values are meant.
   if (row.which == 0 && may_be_an_equation_of_letters(place.tree, claim.equation) &&
       asks_for_values(beside(place).lead))
@@ -183,7 +183,8 @@ void offer_what_is_near(RowPlace& place, const StepReading& row, const Claim& cl
     return std::move(found.uses);
   };
   const WrongStep wrong = as_wrong(place, row);
-  const OpenRow open{.wrong = wrong, .claim = claim, .available = grounds.founded.all};
+  const OpenRow open{
+      .wrong = wrong, .claim = claim, .available = grounds.founded.all, .to_be_solved = grounds.founded.all};
   judgement.repairs = statements_near(place.tree, names, open, follows, cache);
   if (judgement.repairs.empty() || judgement.diagnostics.empty()) return;
   const Repair& nearest = judgement.repairs.front();

@@ -80,10 +80,6 @@ struct Repair {
 
 /// Diagnostics that are mended by a true statement near by: a refutation, indices or ranks that do not fit.
 [[nodiscard]] bool shows_repairs(DiagnosticKind kind);
-/// Another quantity may be meant: then what is near a step says nothing against it.
-[[nodiscard]] inline bool is_left_open(Verdict verdict) {
-  return verdict == Verdict::undecided || verdict == Verdict::law;
-}
 
 /// One relation of one chain.
 struct Step {

@@ -89,8 +89,11 @@ std::string take_letter(std::string_view text, std::size_t& at) {
   return at < text.size() && is_letter(text[at]) ? std::string(1, text[at++]) : std::string{};
 }
 
+/// `V_0` beside `V(r)`: a number as a rule.
+bool is_initial_value(std::string_view name) { return name.ends_with("_{0}") || name.ends_with("_0"); }
+
 bool is_among(const std::set<std::string>& letters, std::string_view name) {
-  const bool initial = name.ends_with("_{0}") || name.ends_with("_0");
+  const bool initial = is_initial_value(name);
   for (std::size_t at = 0; at < name.size();) {
     if (name[at] == '_' || name[at] == '^') return false;  // labels
     const std::string letter = take_letter(name, at);
@@ -234,8 +237,10 @@ bool is_function_of(const Evidence& evidence, std::string_view name, std::string
   std::size_t at = 0;
   const std::string letter = take_letter(name, at);
   const auto by = evidence.by.find(std::string(variable));
-  if (by != evidence.by.end() && by->second.contains(letter)) return true;
+  const bool initial = is_initial_value(name);
+  if (by != evidence.by.end() && by->second.contains(initial ? letter + "_0" : letter)) return true;
   return std::ranges::any_of(evidence.applied, [&](const auto& entry) {
+    if (initial && !is_initial_value(entry.first)) return false;
     std::size_t begin = entry.first.starts_with("\\mathbf ") ? 8 : 0;
     return take_letter(entry.first, begin) == letter &&
            std::ranges::any_of(entry.second, [&](const std::vector<std::string>& letters) {
@@ -426,6 +431,24 @@ bool is_argument(const SyntaxTree& syntax, SyntaxId applied, SyntaxId bracket, c
   return !letters.empty() && variables_of(syntax.symbol(id), evidence) == letters;
 }
 
+namespace {
+
+/// `f(f(x))`, and not `n(n + 1)`: the letter stands before a bracket in the bracket, too.
+bool is_applied_inside(const SyntaxTree& syntax, SyntaxId bracket, const std::string& letter) {
+  return std::ranges::any_of(nodes_below(syntax, {bracket}), [&](SyntaxId id) {
+    const auto factors = syntax.children(id);
+    for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
+      const SyntaxId next = factors[k + 1].id;
+      if (syntax[factors[k].id].kind == SyntaxKind::symbol && syntax[next].kind == SyntaxKind::group &&
+          factors[k + 1].joint == Joint::juxtaposed && syntax.symbol(factors[k].id).letter == letter)
+        return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace
+
 const std::set<std::string>* arguments_of(const SyntaxTree& syntax, SyntaxId symbol, SyntaxId bracket,
                                           const Evidence& evidence) {
   const WrittenSymbol& written = syntax.symbol(symbol);
@@ -438,7 +461,8 @@ const std::set<std::string>* arguments_of(const SyntaxTree& syntax, SyntaxId sym
     itself = itself || syntax.symbol(id).letter == written.letter;
     argument = argument || found->second.contains(syntax.symbol(id).letter);
   }
-  const bool applies = written.face == Face::vector ? argument : !itself;
+  const bool applies =
+      written.face == Face::vector ? argument : !itself || is_applied_inside(syntax, bracket, written.letter);
   return applies ? &found->second : nullptr;
 }
 

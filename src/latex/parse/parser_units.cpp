@@ -16,6 +16,15 @@
 namespace rigor {
 namespace {
 
+/// `\mathrm{dT}` is a differential in roman type, and no decitesla.
+bool may_be_differential(TokenView content) {
+  std::string letters;
+  for (const Token& token : content) {
+    if (token.kind == TokenKind::letter) letters += token.text;
+  }
+  return letters.size() == 2 && letters[0] == 'd';
+}
+
 constexpr int most_tens = 300;
 
 /// `3.2e5` as digits, `320000`; nothing for what is no such number.
@@ -264,6 +273,7 @@ std::optional<SyntaxId> Parser::unit_fraction(Cursor& cursor, bool spaced) {
   const auto over = upright_letters(above.content);
   const auto under = upright_letters(below.content);
   if (!over || !under || *under == 0) return std::nullopt;
+  if (may_be_differential(above.content) && may_be_differential(below.content)) return std::nullopt;
   const bool apart = spaced || *over + *under > 2 || std::ranges::any_of(whole, is_words);
   const std::string text = text_of(above.content) + "/(" + text_of(below.content) + ")";
   if (!apart || !read_unit(text, UnitNames::units)) return std::nullopt;

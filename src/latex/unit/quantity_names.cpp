@@ -29,6 +29,15 @@ const WordSet& words_of_sentences() {
   return words;
 }
 
+/// What is left out of an equation, and another thing in each: `E_0 + \text{quantum corrections}`.
+const WordSet& left_out() {
+  static const WordSet words(R"(
+      correction corrections derivative derivatives differential divergence integral integrals
+      remainder remainders contribution contributions part parts piece pieces noise stuff
+      error errors powers counterterm counterterms perturbation perturbations background effects)");
+  return words;
+}
+
 /// What a quantity is. Some of them are nouns, too.
 const WordSet& properties() {
   static const WordSet words(R"(
@@ -36,7 +45,6 @@ const WordSet& properties() {
       positive negative large small big huge tiny fixed conserved invariant arbitrary independent dependent
       maximum minimum maximal minimal high low increasing decreasing stationary steady exact approximate
       stable unstable linear nonlinear symmetric antisymmetric parallel perpendicular orthogonal same equal
-      error errors remainder correction corrections noise stuff total net average initial final left right
       up down in out inside outside before after above below identity unity)");
   return words;
 }
@@ -62,11 +70,12 @@ const WordSet& counted() {
 const WordSet& acting() {
   static const WordSet words(R"(
       sgn sign sinc erf erfc Ker ker Im im Hom End Aut Id id Tr tr Lie Span span Res arg Arg argmin argmax
-      CNOT SWAP QFT NOT AND OR XOR CZ DFT FFT FT Identity)");
+      CNOT SWAP QFT NOT AND OR XOR CZ DFT FFT FT Identity Ad ad Li Ei Si Ai Bi Var Cov Corr Vol Rot Sym Alt Pf
+      lcm rank)");
   return words;
 }
 
-bool has_vowel(std::string_view word) { return word.find_first_of("aeiouyAEIOUY") != std::string_view::npos; }
+bool has_vowel(std::string_view word) { return word.find_first_of("aeiouAEIOU") != std::string_view::npos; }
 
 bool is_capital(char c) { return is_capital_letter(c); }
 bool is_any_letter(char c) { return is_letter(c); }
@@ -122,7 +131,7 @@ bool can_name_quantity(std::string_view phrase) {
   if (words.empty() || words.size() > most_words || !std::ranges::all_of(words, is_word)) return false;
   for (const std::string_view word : words) {
     const std::string low = lowered(word);
-    if (words_of_sentences().contains(low)) return false;
+    if (words_of_sentences().contains(low) || left_out().contains(low)) return false;
     if (word.size() == 1 && word != "a") return false;  // a symbol
   }
   if (words.size() == 1) return is_name_alone(words.front());
@@ -131,7 +140,9 @@ bool can_name_quantity(std::string_view phrase) {
   return !prepositions.contains(lowered(words.front())) && !prepositions.contains(lowered(words.back()));
 }
 
-bool can_say_property(std::string_view phrase) { return properties().contains(lowered(phrase)); }
+bool can_say_property(std::string_view phrase) {
+  return properties().contains(lowered(phrase)) || left_out().contains(lowered(phrase));
+}
 
 bool is_symbol_of_letters(std::string_view phrase) {
   if (!abbreviated(phrase).empty()) return true;

@@ -217,7 +217,7 @@ class WordFinder {
     const std::size_t next = skip_narrow(tokens, end);
     word->right_is_upright = next < tokens.size() && word_at(tokens, next).has_value();
     word->raised = raised;
-    word->among_words = side.left == Neighbour::relation && side.words_to_relation;
+    word->among_words = side.words_to_relation;
     word->explains = side.left == Neighbour::relation && side.letter_to_relation;
     found_.push_back(*word);
     const bool other = side.other;
@@ -297,6 +297,8 @@ class WordFinder {
       letters = letters || has_letter(argument.content);
       at = argument.next;
     }
+    for (std::size_t k = before; k < found_.size(); ++k)
+      found_[k].among_words = found_[k].among_words || (side.words_to_relation && found_[k].fills_slot);
     const bool mixed = side.other || letters;
     passed(side, Neighbour::factor);
     side.other = mixed;

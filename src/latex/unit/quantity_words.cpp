@@ -14,13 +14,15 @@ bool is_between(Neighbour neighbour) {
   return neighbour == Neighbour::nothing || neighbour == Neighbour::sign || neighbour == Neighbour::relation;
 }
 
-/// Beside signs alone, or the whole first side of a relation.
+/// The whole first side of a relation says that words are a quantity, and so does such a side of the other
+/// words. Elsewhere only symbols are: in two sums, "friction" and "total derivative" can be two things.
 bool is_shown(const PlacedWord& word) {
   if (!is_between(word.left) || !is_between(word.right) || word.raised) return false;
   const bool sign = word.left == Neighbour::sign || word.right == Neighbour::sign;
   const bool first_side = word.left == Neighbour::nothing && word.right == Neighbour::relation;
-  if (can_say_property(word.letter.text)) return first_side;
-  return sign || first_side || word.fills_slot || word.among_words;
+  if (can_say_property(word.letter.text)) return false;
+  return first_side || word.among_words ||
+         ((sign || word.fills_slot) && is_symbol_of_letters(word.letter.text));
 }
 
 /// A word that other rows show to be a quantity.

@@ -55,7 +55,10 @@ std::string details_of(const PlacedDiagnostic& placed, const SourceMap& sources)
 }
 
 std::string_view heading_of_repairs(const Step& step) {
-  return is_left_open(step.verdict) ? "near it" : "true is";
+  const bool wrong =
+      step.verdict == Verdict::refuted || step.verdict == Verdict::suspect ||
+      std::ranges::any_of(step.diagnostics, [](const Diagnostic& each) { return shows_repairs(each.kind); });
+  return wrong ? "true is" : "near it";
 }
 
 std::string remark_on(const Repair& repair) {

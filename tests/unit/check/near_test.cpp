@@ -47,6 +47,11 @@ TEST_CASE("near a law stands what follows from the laws above it, with their nam
   CHECK(step.repairs[0].uses == std::vector<std::string>{"law (2)", "law (1)"});
 }
 
+TEST_CASE("a letter of another row may have been meant") {
+  const Step step = last_step(masses + "$$(m_1 + m_2)\\ddot x = (m_2 - m_1)T$$", Repairs::and_of_laws);
+  CHECK(offered(step) == std::vector<std::string>{"(m_1 + m_2)\\ddot x = (m_2 - m_1)g"});
+}
+
 TEST_CASE("nobody is told what is near a law if that is not asked for") {
   for (const Repairs repairs : {Repairs::none, Repairs::of_unexpected, Repairs::of_all})
     CHECK(offered(last_step(masses + too_heavy, repairs)).empty());
