@@ -69,11 +69,16 @@ class Suspecting {
     if (!solutions.empty()) return solutions;
     const Laws bearing = laws_that_bear(tree_, names_.scope, row_.claim.equation, row_.available);
     std::vector<Laws> sets = sets_of(tree_, bearing);
-    while (sets.size() > 1 && !is_met(sets.back())) sets.pop_back();
-    ExprTree grown = tree_;
-    const Names met = with_laws_and_constants({grown, names_, row_.claim, &cache_}, sets.back());
-    return true_neighbours(grown, met, row_.wrong, proof, &cache_, {},
-                           NotCompared::left_out_but_letters_near);
+    std::vector<TrueNeighbour> found;
+    while (found.empty() && !sets.empty() && !cache_.budget().exhausted()) {
+      ExprTree grown = tree_;
+      const Names met = with_laws_and_constants({grown, names_, row_.claim, &cache_}, sets.back());
+      found =
+          true_neighbours(grown, met, row_.wrong, proof, &cache_, {}, NotCompared::left_out_but_letters_near);
+      if (can_be_met(sets.back())) break;
+      sets.pop_back();
+    }
+    return found;
   }
 
  private:
@@ -184,12 +189,6 @@ class Suspecting {
     for (const PageLaw* law : laws)
       assume(assuming.scope, {law->equation, Origin{law->name, {}, std::nullopt}, 0, law->at_instant});
     return sample_of_assumptions(tree, assuming, {}, limits_of_guesses, &cache_).has_value();
-  }
-
-  /// Operators need no samples.
-  bool is_met(const Laws& laws) const {
-    return has_operators(tree_, row_.claim.equation.left) ||
-           has_operators(tree_, row_.claim.equation.right) || can_be_met(laws);
   }
 
   /// The nearest neighbour that holds wherever `met` do, and is proved from one of the sets, the smallest
