@@ -323,7 +323,7 @@ bool has_rounded_degrees(const ExprTree& tree, const Names& names, const Equatio
   }
   return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
     const std::span<const ExprId> factors = tree.children(id);
-    if (tree[id].op != Op::multiply || tree[factors[0]].op != Op::number) return false;
+    if (tree[id].op != Op::multiply || factors.size() < 2 || tree[factors[0]].op != Op::number) return false;
     const std::string digits(tree.digits(factors[0]));
     const bool short_number = digits.size() <= 4 && digits.find('.') == std::string::npos;
     return is_degree(tree, names, factors[1]) && !(short_number && std::stoi(digits) % surely_meant == 0);
