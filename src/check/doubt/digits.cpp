@@ -211,18 +211,6 @@ bool is_a_number(const ExprTree& tree, const Names& names, ExprId root) {
                              [&](SymbolId symbol) { return is_known(symbol) || body_of(symbol); });
 }
 
-/// Is a number in it written with a point, definitions unfolded? Then it is measured or rounded already.
-bool has_decimal(const ExprTree& tree, const Names& names, ExprId root) {
-  const auto body_of = [&](SymbolId symbol) { return body_of_definition(names.scope, symbol); };
-  std::vector<ExprId> roots{root};
-  for (const SymbolId symbol : symbols_reached(tree, {root}, body_of)) {
-    if (const auto body = body_of(symbol)) roots.push_back(*body);
-  }
-  return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
-    return tree[id].op == Op::number && tree.digits(id).find('.') != std::string::npos;
-  });
-}
-
 /// A root, a function or π in it: as a rule no fraction of whole numbers.
 bool has_no_end(const ExprTree& tree, const Names& names, ExprId root) {
   return std::ranges::any_of(nodes_below(tree, {root}), [&](ExprId id) {
@@ -261,6 +249,7 @@ std::optional<Equation> of_numbers(ExprTree& tree, const Names& names, const Equ
     const auto one = [&](ExprId id) -> std::optional<ExprId> {
       const ExprNode node = tree[id];
       if (tree.symbols[node.symbol].is_fixed() || !is_one_of(node.symbol, letters)) return std::nullopt;
+      if (node.rank > 0) return std::nullopt;  // `\mathbf v` beside v_x
       return tree.add_number(node.span, "1");
     };
     const ExprId number = replaced(tree, side, one);
@@ -284,6 +273,17 @@ std::optional<Equation> of_numbers(ExprTree& tree, const Names& names, const Equ
 }
 
 }  // namespace
+
+bool has_decimal(const ExprTree& tree, const Names& names, ExprId root) {
+  const auto body_of = [&](SymbolId symbol) { return body_of_definition(names.scope, symbol); };
+  std::vector<ExprId> roots{root};
+  for (const SymbolId symbol : symbols_reached(tree, {root}, body_of)) {
+    if (const auto body = body_of(symbol)) roots.push_back(*body);
+  }
+  return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
+    return tree[id].op == Op::number && tree.digits(id).find('.') != std::string::npos;
+  });
+}
 
 std::optional<NumberShown> number_shown(const ExprTree& tree, const Names& names, const Claim& claim) {
   std::optional<NumberShown> found;

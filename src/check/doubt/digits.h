@@ -54,6 +54,9 @@ struct NumberShown {
 [[nodiscard]] bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& left,
                                        const Typed& right);
 
+/// Is a number in it written with a point, definitions unfolded? Then it is measured or rounded already.
+[[nodiscard]] bool has_decimal(const ExprTree& tree, const Names& names, ExprId root);
+
 /// Are both sides numbers, and is one of them made of decimals? What is not shown to be rounded may be so.
 [[nodiscard]] bool compares_decimals(const ExprTree& tree, const Names& names, const Equation& equation);
 

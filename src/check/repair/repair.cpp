@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -12,6 +13,7 @@
 #include "algebra/sample/screen.h"
 #include "base/ascii.h"
 #include "check/law/state_facts.h"
+#include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
 #include "check/repair/trivial_statement.h"
@@ -24,6 +26,9 @@ namespace {
 
 constexpr std::size_t most_judged = 24;
 constexpr std::size_t most_judged_unseen = 64;  // where no sample tells which of them are worth it
+constexpr std::size_t most_judged_held = 200;   // in derivatives that hold other letters
+constexpr std::size_t most_judged_unseen_of_open = 12;
+constexpr std::size_t most_judged_rounded = 400;
 constexpr std::uint64_t most_work_unseen = 1'000'000;
 constexpr std::uint64_t most_work_on_one =
     45'000;                               // of these; a proof takes less, and most that fail take more
@@ -74,22 +79,35 @@ class RepairSearch {
     reading_ = read_chain(syntax_, tree_, names_, chain_, wrong.rules);
   }
 
+  std::optional<Claim> nearest_claim() {
+    if (is_too_long() || (!typed(0) && !typed(1))) return std::nullopt;
+    std::vector<RepairCandidate> rewritten = candidates_.rewritten_sides(true);
+    const std::vector<Equation> equations = read(rewritten);
+    if (!equations.empty()) speak_of_most(equations);
+    return first_claim_;
+  }
+
   std::vector<TrueNeighbour> run(NotCompared others) {
-    if (candidates_.side(0).size() + candidates_.side(1).size() > most_tokens) return {};
+    if (is_too_long()) return {};
     const std::optional<Claim> original = claim_between(typed(0), typed(1));
     const bool by_terms =
         original && !original->nearly && original->equation.relation == Relation::equal && !asked_;
     std::vector<RepairCandidate> rewritten = candidates_.rewritten_sides(!by_terms);
     std::vector<Equation> equations = read(rewritten);
     if (rewritten.empty()) return {};
+    if (!original) speak_of_most(equations);
     claim_ = original ? *original : *first_claim_;
     if (asked_) ask_instead(rewritten, equations);
     if (rewritten.empty()) return {};
     std::vector<RepairCandidate> holding;
     const bool in_coordinates = !coordinates_in(tree_, claim_.equation).empty();
+    if (others == NotCompared::all_asked) return prove_rounded_neighbours();
     if (in_coordinates) {
       // On a sample, derivatives that hold other letters are numbers of their own: all that is near is asked.
       holding = candidates_.rewritten_sides(true);
+      if (others == NotCompared::few) {
+        for (RepairCandidate& each : candidates_.with_letters_near()) holding.push_back(std::move(each));
+      }
     } else if (claim_.nearly) {
       holding = holding_to_first_order(rewritten, equations);
     } else {
@@ -103,18 +121,25 @@ class RepairSearch {
         add_letters_near(holding);
     }
     sort_and_reduce(holding, candidates_.side(0), candidates_.side(1));
-    std::vector<TrueNeighbour> found = prove_the_nearest(holding, most_judged, in_coordinates);
+    const std::size_t most = in_coordinates && others == NotCompared::few ? most_judged_held : most_judged;
+    std::vector<TrueNeighbour> found = prove_the_nearest(holding, most, in_coordinates);
     if (says_only_zero(found) && others == NotCompared::asked) {
-      std::vector<TrueNeighbour> unseen = prove_what_was_not_compared();
+      std::vector<TrueNeighbour> unseen = prove_what_was_not_compared(most_judged_unseen);
       unseen.insert(unseen.end(), std::make_move_iterator(found.begin()),
                     std::make_move_iterator(found.end()));
       if (unseen.size() > most_repairs) unseen.erase(unseen.begin() + most_repairs, unseen.end());
       return unseen;
     }
+    if (found.empty() && others == NotCompared::few)
+      return prove_what_was_not_compared(most_judged_unseen_of_open);
     return found;
   }
 
  private:
+  [[nodiscard]] bool is_too_long() const {
+    return candidates_.side(0).size() + candidates_.side(1).size() > most_tokens;
+  }
+
   /// Is none of the usual slips found? Then a term may be missing in a bracket.
   static bool lack_terms(const std::vector<RepairCandidate>& holding) {
     return std::ranges::none_of(holding, [](const RepairCandidate& each) {
@@ -129,7 +154,14 @@ class RepairSearch {
                                [](const TrueNeighbour& each) { return each.repair.replacement == "0"; });
   }
 
-  std::vector<TrueNeighbour> prove_what_was_not_compared() {
+  std::vector<TrueNeighbour> prove_rounded_neighbours() {
+    std::vector<RepairCandidate> near = candidates_.rewritten_sides(true);
+    for (RepairCandidate& each : candidates_.with_letters_near()) near.push_back(std::move(each));
+    sort_and_reduce(near, candidates_.side(0), candidates_.side(1));
+    return prove_the_nearest(near, most_judged_rounded, true);
+  }
+
+  std::vector<TrueNeighbour> prove_what_was_not_compared(std::size_t most) {
     if (not_compared_.empty() || cache_ == nullptr || cache_->budget().exhausted()) return {};
     if (!claim_was_compared_) {  // nor were its terms
       for (RepairCandidate& each : candidates_.rewritten_sides(true))
@@ -137,7 +169,7 @@ class RepairSearch {
     }
     sort_and_reduce(not_compared_, candidates_.side(0), candidates_.side(1));
     const ShareOfWork share(*cache_, most_work_unseen);
-    return prove_the_nearest(not_compared_, most_judged_unseen, true);
+    return prove_the_nearest(not_compared_, most, true);
   }
 
   void add_insertions(std::vector<RepairCandidate>& holding) {
@@ -185,6 +217,15 @@ class RepairSearch {
       return false;
     });
     return equations;
+  }
+
+  /// Where the row itself cannot be read: the first neighbour with all letters, and not one that lacks a
+  /// term.
+  void speak_of_most(const std::vector<Equation>& equations) {
+    const auto letters_of = [&](const Equation& each) {
+      return base_letters(tree_, names_.scope, each).size();
+    };
+    first_claim_->equation = *std::ranges::max_element(equations, {}, letters_of);
   }
 
   /// Each equation becomes the one that is asked; what has none is taken out.
@@ -333,10 +374,10 @@ class RepairSearch {
     std::size_t judged = 0;
     std::size_t in_vain = 0;
     int nearest = 0;
-    bool mends_a_term = false;  // then a term more says the same: it makes up for it
+    std::array<bool, 2> mends_a_term{};  // on a side: then a term more says the same: it makes up for it
     for (const RepairCandidate& candidate : candidates) {
       const bool far = !found.empty() && candidate.distance > nearest + widest_choice;
-      const bool says_the_same = candidate.slip == Slip::term_missing && mends_a_term;
+      const bool says_the_same = candidate.slip == Slip::term_missing && mends_a_term[candidate.side];
       if (says_the_same || says_nothing(candidate) || (candidate.roundabout && !found.empty())) continue;
       if (far || found.size() == most_repairs || judged++ == most) break;
       if (unseen && !found.empty() && in_vain == most_in_vain) break;
@@ -346,8 +387,10 @@ class RepairSearch {
         continue;
       }
       if (found.empty()) nearest = candidate.distance;
-      mends_a_term = mends_a_term || candidate.slip == Slip::sign || candidate.slip == Slip::factor ||
-                     candidate.slip == Slip::term_missing || text_of(candidate.tokens) == "0";
+      const bool for_both =
+          candidate.slip == Slip::sign || candidate.slip == Slip::factor || text_of(candidate.tokens) == "0";
+      if (for_both) mends_a_term = {true, true};
+      if (candidate.slip == Slip::term_missing) mends_a_term[candidate.side] = true;
       found.push_back({{candidate.side == 0, statement_of(candidate), candidate.change,
                         text_of(candidates_.side(candidate.side)), text_of(candidate.tokens),
                         candidate.slip == Slip::term_missing},
@@ -449,6 +492,21 @@ std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& n
   std::vector<Repair> repairs;
   for (TrueNeighbour& each : true_neighbours(tree, names, wrong, proof, cache, {}, NotCompared::asked))
     repairs.push_back(std::move(each.repair));
+  return repairs;
+}
+
+std::optional<Claim> nearest_claim(ExprTree& tree, Names& names, const WrongStep& wrong) {
+  auto claim = RepairSearch(tree, names, wrong, {}, {}, nullptr).nearest_claim();
+  if (claim) claim->reading = nullptr;
+  return claim;
+}
+
+std::vector<Repair> repairs_of(std::vector<TrueNeighbour> neighbours) {
+  std::vector<Repair> repairs;
+  for (TrueNeighbour& each : neighbours) {
+    each.repair.uses = std::move(each.uses);
+    repairs.push_back(std::move(each.repair));
+  }
   return repairs;
 }
 

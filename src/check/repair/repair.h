@@ -48,8 +48,10 @@ using Asked = std::function<std::optional<Equation>(ExprTree&, const Names&, con
 
 /// What is done with neighbours that samples do not compare, such as integrals that the wrong row has not:
 /// each is proved or not, which takes a thousand times as long. A row that is known to be wrong is worth it.
-/// `left_out_but_letters_near`: where nothing is near, letters of other rows are tried as well, on samples.
-enum class NotCompared : std::uint8_t { left_out, left_out_but_letters_near, asked };
+/// `few`: of a row that is left open. Where nothing is near, letters of other rows are tried as well, on
+/// samples, and then the nearest of these are asked.
+/// `all_asked`: of a row that is rounded, which no sample compares, and where asking is cheap.
+enum class NotCompared : std::uint8_t { left_out, few, asked, all_asked };
 
 /// A true statement within one slip of the wrong one.
 struct TrueNeighbour {
@@ -75,6 +77,13 @@ struct TrueNeighbour {
 [[nodiscard]] std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names,
                                                           const WrongStep& wrong,
                                                           DecisionCache* cache = nullptr);
+
+/// Of a row that cannot be read: what it may speak of, as its nearest neighbour says that can be read. The
+/// tree and the names grow by what is read. Without the reading that it had.
+[[nodiscard]] std::optional<Claim> nearest_claim(ExprTree& tree, Names& names, const WrongStep& wrong);
+
+/// Each with what it rests on.
+[[nodiscard]] std::vector<Repair> repairs_of(std::vector<TrueNeighbour> neighbours);
 
 /// `+ 3Ek_0`: nobody forgets a term with such a number.
 [[nodiscard]] bool adds_an_unusual_term(const Repair& repair);

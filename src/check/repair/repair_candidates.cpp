@@ -108,6 +108,17 @@ bool changes_all_inside(TokenView side, const Rewriting& change) {
   return group || (is_sign_of(before, "([,") && is_sign_of(behind, ")],"));
 }
 
+/// `\frac{2}{2}`
+bool has_fraction_of_one(TokenView side) {
+  for (std::size_t k = 0; k < side.size(); ++k) {
+    if (!is_fraction(side[k])) continue;
+    const Argument upper = argument_at(side, k + 1);
+    const Argument lower = argument_at(side, upper.next);
+    if (!upper.content.empty() && text_of(upper.content) == text_of(lower.content)) return true;
+  }
+  return false;
+}
+
 /// `[-A, B]` says in another way what `-[A, B]` does, and nobody writes `\frac{x}{-2}`, `\frac{x}{1}` or a
 /// fraction as a numerator.
 bool is_roundabout(TokenView side, const Rewriting& change) {
@@ -172,7 +183,7 @@ RepairCandidate RepairCandidates::made(std::size_t which, const Rewriting& rewri
       : from.empty() ? fmt::format("`{}` is missing on the {} side", to, side_names[which])
                      : fmt::format("`{}` for `{}` on the {} side", to, from, side_names[which]);
   RepairCandidate candidate = made(which, change.slip, rewritten(side(which), change), words, further);
-  candidate.roundabout = is_roundabout(side(which), change);
+  candidate.roundabout = is_roundabout(side(which), change) || has_fraction_of_one(candidate.tokens);
   return candidate;
 }
 

@@ -68,13 +68,14 @@ class Suspecting {
     auto solutions = solutions_near(row_.available, [](Slip) { return true; });
     if (!solutions.empty()) return solutions;
     const Laws bearing = laws_that_bear(tree_, names_.scope, row_.claim.equation, row_.available);
-    std::vector<Laws> sets = sets_of(tree_, bearing);
+    std::vector<Laws> sets = holds_letters(tree_, names_.scope, row_.claim.equation)
+                                 ? sets_of_states(bearing)
+                                 : sets_of(tree_, bearing);
     std::vector<TrueNeighbour> found;
     while (found.empty() && !sets.empty() && !cache_.budget().exhausted()) {
       ExprTree grown = tree_;
       const Names met = with_laws_and_constants({grown, names_, row_.claim, &cache_}, sets.back());
-      found =
-          true_neighbours(grown, met, row_.wrong, proof, &cache_, {}, NotCompared::left_out_but_letters_near);
+      found = true_neighbours(grown, met, row_.wrong, proof, &cache_, {}, NotCompared::few);
       if (can_be_met(sets.back())) break;
       sets.pop_back();
     }
@@ -86,7 +87,7 @@ class Suspecting {
   bool repeats(ExprTree& tree, const Equation& candidate) const {
     const Equation& own = row_.claim.equation;
     return is_trivial_up_to_order(tree, candidate.left, candidate.right) ||
-           (is_trivial_up_to_order(tree, candidate.left, own.left) &&
+           (!row_.unread && is_trivial_up_to_order(tree, candidate.left, own.left) &&
             is_trivial_up_to_order(tree, candidate.right, own.right));
   }
 
@@ -128,7 +129,11 @@ class Suspecting {
       auto found = solves({tree, names, claim, &cache_}, bearing, laws);
       return found ? std::optional(std::move(found->uses)) : std::nullopt;
     };
-    return true_neighbours(grown, names_, row_.wrong, proof, &cache_, asked);
+    Claim solution = row_.claim;
+    const auto own = put_in(grown, names_, solved->of, solution.equation.right);
+    if (own) solution.equation = *own;
+    const Names constant = with_laws_and_constants({grown, names_, solution, &cache_}, {});
+    return true_neighbours(grown, constant, row_.wrong, proof, &cache_, asked);
   }
 
   std::optional<Suspicion> nearest_solution() {
@@ -345,13 +350,9 @@ std::optional<Suspicion> suspicion(const ExprTree& tree, const Names& names, con
 std::vector<Repair> statements_near(const ExprTree& tree, const Names& names, const OpenRow& row,
                                     const NeighbourProof& follows, DecisionCache& cache) {
   if (cache.budget().exhausted()) return {};
-  const ShareOfWork share(cache, most_work_of_offers);
-  std::vector<Repair> near;
-  for (TrueNeighbour& each : Suspecting(tree, names, row, cache).all(follows)) {
-    each.repair.uses = std::move(each.uses);
-    near.push_back(std::move(each.repair));
-  }
-  return near;
+  const bool states = is_of_states(tree, names, row.claim.equation);
+  const ShareOfWork share(cache, states ? most_work_of_states : most_work_of_offers);
+  return repairs_of(Suspecting(tree, names, row, cache).all(follows));
 }
 
 }  // namespace rigor

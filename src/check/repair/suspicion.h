@@ -27,6 +27,7 @@ struct OpenRow {
   const Laws& to_be_solved = {};  // differential equations and their conditions
   bool announced = false;         // as a conclusion: then it may lack a term
   bool restricted = false;        // words may limit it to a case: only an identity near it counts
+  bool unread = false;            // the claim is that of a neighbour
 };
 
 /// The nearest statement that is an identity or follows from definitions and from what is given; else one

@@ -32,15 +32,18 @@ bool is_zero_as_written(const ExprTree& tree, ExprId id) {
   }
 }
 
-/// Two terms of the sum are the same but for their signs.
+/// Two terms of the sum are the same but for their signs. Those of different commutators are not written:
+/// `[A,[B,C]] + [B,[C,A]] + [C,[A,B]]`.
 bool has_cancelling_terms(const ExprTree& tree, ExprId side) {
+  const bool operators = has_operators(tree, side);
   std::set<std::string> terms[2];
   std::vector<std::pair<ExprId, bool>> pending{{side, false}};
   while (!pending.empty()) {
     const auto [id, negative] = pending.back();
     pending.pop_back();
     const Op op = tree[id].op;
-    if (op == Op::add || op == Op::negate) {
+    const bool nested = operators && op == Op::add && id != side;
+    if (!nested && (op == Op::add || op == Op::negate)) {
       for (const ExprId child : tree.children(id))
         pending.emplace_back(child, negative != (op == Op::negate));
       continue;
@@ -109,8 +112,10 @@ class InOrder {
 }  // namespace
 
 bool is_trivial_up_to_order(const ExprTree& tree, ExprId left, ExprId right) {
+  if (is_trivial(tree, left, right)) return true;
+  if (has_operators(tree, left) || has_operators(tree, right)) return false;
   const InOrder in_order(tree);
-  return is_trivial(tree, left, right) || in_order.product(left) == in_order.product(right);
+  return in_order.product(left) == in_order.product(right);
 }
 
 bool is_trivial(const ExprTree& tree, ExprId left, ExprId right) {

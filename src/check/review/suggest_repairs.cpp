@@ -13,9 +13,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Not understood, since indices or ranks do not fit.
+/// Not understood, since indices or ranks do not fit, and the page says of nothing near it that it follows.
 bool is_malformed(const Step& step) {
-  return step.verdict == Verdict::not_understood &&
+  return step.verdict == Verdict::not_understood && step.repairs.empty() &&
          std::ranges::any_of(step.diagnostics, [](const Diagnostic& diagnostic) {
            return diagnostic.severity() == Severity::error && shows_repairs(diagnostic.kind);
          });

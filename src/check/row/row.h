@@ -129,8 +129,11 @@ void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judg
                               Judgement& judgement);
 /// Is what is near it asked for, if this becomes of it?
 [[nodiscard]] bool is_told_what_is_near(const RowPlace& place, const StepReading& row, Verdict verdict);
-/// What follows from the page near a row that is left open; of a law only where that is asked for.
+/// What follows from the page near a row that is left open or suspect; of a law only where that is asked for.
+/// Where the row shows a number, what agrees to its digits.
 void offer_what_is_near(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement);
+/// The same of a row that cannot be read as it stands.
+void offer_what_is_near_unread(const RowPlace& place, const StepReading& row, Step& step);
 
 // --- sizes.cpp: Masses, radii and frequencies are positive.
 

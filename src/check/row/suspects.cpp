@@ -12,6 +12,7 @@
 
 #include "base/among.h"
 #include "base/ascii.h"
+#include "check/doubt/digits.h"
 #include "check/doubt/equation_of_letters.h"
 #include "check/law/from_laws.h"
 #include "check/place/place.h"
@@ -20,7 +21,9 @@
 #include "check/question/decision_cache.h"
 #include "check/repair/sides_near.h"
 #include "check/repair/suspicion.h"
+#include "check/scope/section_evidence.h"
 #include "check/word/prose_words.h"
+#include "latex/token/vocabulary.h"
 
 namespace rigor {
 namespace {
@@ -102,6 +105,119 @@ bool may_hold_a_slip(const RowPlace& place, const StepReading& row) {
          row.reading.how().open != OpenBracket::factor;
 }
 
+/// The same place, with a tree that has grown.
+RowPlace seen_in(const RowPlace& place, ExprTree& tree, Names names) {
+  return {place.sources,    place.notes,   place.options, place.above,       tree,
+          std::move(names), place.section, place.event,   place.heeds_words, place.is_stated};
+}
+
+bool shows_digits(const ExprTree& tree, const Names& names, const Claim& claim) {
+  return number_shown(tree, names, claim) || has_decimal(tree, names, claim.equation.left) ||
+         has_decimal(tree, names, claim.equation.right);
+}
+
+/// A row that shows a number, with what is rounded: its neighbours are asked for the digits as it was.
+std::vector<Repair> numbers_near(const RowPlace& place, const StepReading& row) {
+  const NeighbourProof agrees = [&](ExprTree& tree, const Names& names, const Claim& near,
+                                    Slip) -> std::optional<std::vector<std::string>> {
+    RowPlace there = seen_in(place, tree, names);
+    Judgement judgement;
+    judgement.verdict = Verdict::undecided;
+    heed_digits(there, near, judgement);
+    if (judgement.verdict == Verdict::proved) return std::move(judgement.uses);
+    if (!agrees_with_values(there, row, near, judgement) &&
+        !agrees_with_constants(there, row, near, judgement))
+      return std::nullopt;
+    if (judgement.verdict != Verdict::proved) return std::nullopt;
+    return std::move(judgement.uses);
+  };
+  return repairs_of(true_neighbours(place.tree, place.names, as_wrong(place, row), agrees,
+                                    place.options.cache, {}, NotCompared::all_asked));
+}
+
+/// `unread`: the claim is that of a neighbour.
+std::vector<Repair> near_as_read(RowPlace& place, const StepReading& row, const Claim& claim, bool unread) {
+  if (shows_digits(place.tree, place.names, claim)) {
+    std::vector<Repair> near = numbers_near(place, row);
+    if (!near.empty()) return near;
+  }
+  DecisionCache& cache = *place.options.cache;
+  const Grounds grounds = grounds_of(place, row, claim);
+  Names names = place.names;
+  for (const NamedAssumption& each : sizes_that_matter(place, row, claim)) assume(names.scope, each);
+  const bool inferred = row.parsed.written.inference != Inference::none;
+  const Standpoint here = standpoint_of_proofs(place, row.parsed);
+  const NeighbourProof follows = [&](ExprTree& tree, const Names& read, const Claim& near,
+                                     Slip) -> std::optional<std::vector<std::string>> {
+    Judgement found = judge(tree, read, near, limits_of_candidates, &cache);
+    if (found.verdict != Verdict::proved || !found.diagnostics.empty()) {
+      auto from_laws = follow_from_laws(tree, read, near, grounds.founded, inferred, cache);
+      if (!from_laws || from_laws->verdict != Verdict::proved) return std::nullopt;
+      found = *std::move(from_laws);
+    }
+    found = heed_cases(tree, read, near, std::move(found), here, &cache);
+    if (found.verdict != Verdict::proved) return std::nullopt;
+    return std::move(found.uses);
+  };
+  const WrongStep wrong = as_wrong(place, row);
+  const OpenRow open{.wrong = wrong,
+                     .claim = claim,
+                     .available = grounds.founded.all,
+                     .to_be_solved = grounds.founded.all,
+                     .unread = unread};
+  return statements_near(place.tree, names, open, follows, cache);
+}
+
+bool has_marks(const ParsedChain& parsed) {
+  return std::ranges::any_of(parsed.written.sides, [](const WrittenSide& side) {
+    return std::ranges::any_of(side.tokens,
+                               [](const Token& token) { return dots_of(token) > 0 || is_sign(token, "'"); });
+  });
+}
+
+/// What the section shows without this row: a dot too many shows that a letter changes.
+std::optional<Evidence> evidence_beside(const RowPlace& place, const ParsedChain& parsed) {
+  const Evidence& all = *place.names.symbols.evidence;
+  std::optional<std::size_t> heading;
+  for (std::size_t k = place.event; k > 0 && !heading; --k) {
+    if (std::holds_alternative<Heading>(place.notes.events[k - 1])) heading = k - 1;
+  }
+  Evidence others = evidence_of_section(place.sources, place.notes, heading, &parsed);
+  const bool same =
+      others.changing == all.changing && others.may_change == all.may_change && others.primed == all.primed;
+  return same ? std::nullopt : std::optional(std::move(others));
+}
+
+std::vector<Repair> what_is_near(RowPlace& place, const StepReading& row, const Claim& claim, bool unread) {
+  std::vector<Repair> near = near_as_read(place, row, claim, unread);
+  if (!near.empty() || !has_marks(row.parsed)) return near;
+  if (auto others = evidence_beside(place, row.parsed)) {
+    RowPlace there = seen_in(place, place.tree, place.names);
+    there.names.symbols.evidence = Shared(*std::move(others));
+    near = near_as_read(there, row, claim, unread);
+  }
+  return near;
+}
+
+/// A suspect names what it is suspected to be first.
+void add_others(std::vector<Repair>& repairs, std::vector<Repair> near) {
+  for (Repair& each : near) {
+    const bool known = std::ranges::find(repairs, each.statement, &Repair::statement) != repairs.end();
+    if (!known && repairs.size() < most_repairs) repairs.push_back(std::move(each));
+  }
+}
+
+/// The last of what is said of the row helps with it.
+void name_nearest(const std::vector<Repair>& near, Diagnostics& said) {
+  if (near.empty() || said.empty()) return;
+  const Repair& nearest = near.front();
+  said.back().help.insert(
+      said.back().help.begin(),
+      fmt::format("one slip away, `{}` {}", nearest.statement,
+                  nearest.uses.empty() ? std::string("holds")
+                                       : fmt::format("follows from {}", fmt::join(nearest.uses, ", "))));
+}
+
 }  // namespace
 
 bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
@@ -154,7 +270,8 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
 }
 
 bool is_told_what_is_near(const RowPlace& place, const StepReading& row, Verdict verdict) {
-  const bool asks = verdict == Verdict::undecided ||
+  const bool asks = verdict == Verdict::undecided || verdict == Verdict::not_understood ||
+                    verdict == Verdict::suspect ||
                     (verdict == Verdict::law && place.options.repairs == Repairs::and_of_laws);
   const Span chain = row.parsed.written.span;
   const auto at = place.options.near_at;
@@ -164,35 +281,21 @@ bool is_told_what_is_near(const RowPlace& place, const StepReading& row, Verdict
 
 void offer_what_is_near(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (judgement.restates || !is_told_what_is_near(place, row, judgement.verdict)) return;
-  DecisionCache& cache = *place.options.cache;
-  const Grounds grounds = grounds_of(place, row, claim);
-  Names names = place.names;
-  for (const NamedAssumption& each : sizes_that_matter(place, row, claim)) assume(names.scope, each);
-  const bool inferred = row.parsed.written.inference != Inference::none;
-  const Standpoint here = standpoint_of_proofs(place, row.parsed);
-  const NeighbourProof follows = [&](ExprTree& tree, const Names& read, const Claim& near,
-                                     Slip) -> std::optional<std::vector<std::string>> {
-    Judgement found = judge(tree, read, near, limits_of_candidates, &cache);
-    if (found.verdict != Verdict::proved || !found.diagnostics.empty()) {
-      auto from_laws = follow_from_laws(tree, read, near, grounds.founded, inferred, cache);
-      if (!from_laws || from_laws->verdict != Verdict::proved) return std::nullopt;
-      found = *std::move(from_laws);
-    }
-    found = heed_cases(tree, read, near, std::move(found), here, &cache);
-    if (found.verdict != Verdict::proved) return std::nullopt;
-    return std::move(found.uses);
-  };
-  const WrongStep wrong = as_wrong(place, row);
-  const OpenRow open{
-      .wrong = wrong, .claim = claim, .available = grounds.founded.all, .to_be_solved = grounds.founded.all};
-  judgement.repairs = statements_near(place.tree, names, open, follows, cache);
-  if (judgement.repairs.empty() || judgement.diagnostics.empty()) return;
-  const Repair& nearest = judgement.repairs.front();
-  judgement.diagnostics.back().help.insert(
-      judgement.diagnostics.back().help.begin(),
-      fmt::format("one slip away, `{}` {}", nearest.statement,
-                  nearest.uses.empty() ? std::string("holds")
-                                       : fmt::format("follows from {}", fmt::join(nearest.uses, ", "))));
+  std::vector<Repair> near = what_is_near(place, row, claim, false);
+  if (judgement.verdict == Verdict::suspect) return add_others(judgement.repairs, std::move(near));
+  judgement.repairs = std::move(near);
+  name_nearest(judgement.repairs, judgement.diagnostics);
+}
+
+void offer_what_is_near_unread(const RowPlace& place, const StepReading& row, Step& step) {
+  if (!is_told_what_is_near(place, row, step.verdict)) return;
+  ExprTree tree = place.tree;
+  RowPlace there = seen_in(place, tree, place.names);
+  auto claim = nearest_claim(tree, there.names, as_wrong(place, row));
+  if (!claim) return;
+  claim->reading = &row.reading.reading();
+  step.repairs = what_is_near(there, row, *claim, true);
+  name_nearest(step.repairs, step.diagnostics);
 }
 
 }  // namespace rigor

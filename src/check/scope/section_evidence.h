@@ -12,8 +12,10 @@
 namespace rigor {
 
 /// Of the section whose heading is event `heading`, up to the next heading, and of the sections around it;
-/// without one, of what comes before the first heading. Cost: linear in these sections.
+/// without one, of what comes before the first heading. `but`: this chain shows nothing. Cost: linear in
+/// these sections.
 [[nodiscard]] Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
-                                           std::optional<std::size_t> heading);
+                                           std::optional<std::size_t> heading,
+                                           const ParsedChain* but = nullptr);
 
 }  // namespace rigor

@@ -216,6 +216,8 @@ void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainRe
   } else if (row.left().typed && row.right().typed) {
     follow_row(walk, place, row, context, step);
   }
+  if (place.heeds_words && step.verdict == Verdict::not_understood)
+    offer_what_is_near_unread(place, row, step);
   take_over(walk, std::move(place.found));
   doubt_errors(walk.notes.syntax, walk.names, parsed, which, step.diagnostics);
   if (only_asks(step.diagnostics)) step.verdict = Verdict::undecided;

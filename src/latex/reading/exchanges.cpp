@@ -125,11 +125,15 @@ class Exchanger {
   void exchange(Slip slip, TokenView first, TokenView second) {
     if (first.data() + first.size() > second.data() || text_of(first) == text_of(second)) return;
     const TokenView between(first.data() + first.size(), second.data());
-    Tokens to(second.begin(), second.end());
+    const std::size_t at = place(first);
+    const std::size_t begin = at > 0 && takes_one_token(side_[at - 1]) ? at - 1 : at;  // `_1b_2`, `\hat xp`
+    Tokens to(side_.begin() + static_cast<std::ptrdiff_t>(begin),
+              side_.begin() + static_cast<std::ptrdiff_t>(at));
+    to.insert(to.end(), second.begin(), second.end());
     to.insert(to.end(), between.begin(), between.end());
     to.insert(to.end(), first.begin(), first.end());
     const TokenView all(first.data(), second.data() + second.size());
-    add(slip, place(all), place(all) + all.size(), std::move(to), all);
+    add(slip, begin, at + all.size(), std::move(to), all);
   }
 
   /// `\delta_{jl}\delta_{km}` for `\delta_{kl}\delta_{jm}`; the factors are shown as a whole.

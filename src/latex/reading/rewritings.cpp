@@ -289,12 +289,6 @@ class Rewriter {
   std::set<std::tuple<std::size_t, std::size_t, std::string>> known_;
 };
 
-/// `\mathbf`, `\dot`, `_`: what comes after it without braces is one token.
-bool takes_one_token(const Token& token) {
-  return token.kind == TokenKind::superscript || token.kind == TokenKind::subscript || is_fraction(token) ||
-         is_control(token, "sqrt") || dots_of(token) > 0 || style_of(token).has_value();
-}
-
 /// In braces where it takes the place of the one token that is an argument: `\mathbf{\dot a}`.
 void append_in_place(Tokens& tokens, const Tokens& text) {
   const bool braced = text.size() != 1 && !tokens.empty() && takes_one_token(tokens.back()) &&
@@ -305,6 +299,11 @@ void append_in_place(Tokens& tokens, const Tokens& text) {
 }
 
 }  // namespace
+
+bool takes_one_token(const Token& token) {
+  return token.kind == TokenKind::superscript || token.kind == TokenKind::subscript || is_fraction(token) ||
+         is_control(token, "sqrt") || dots_of(token) > 0 || style_of(token).has_value();
+}
 
 Tokens rewritten(TokenView side, const Rewriting& rewriting) {
   Tokens result(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(rewriting.begin));

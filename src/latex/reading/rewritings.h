@@ -104,6 +104,9 @@ struct SideTerm {
 /// \frac, \nabla, \cos…: a power of it alone means nothing.
 [[nodiscard]] bool takes_what_follows(const Token& token);
 
+/// `\mathbf`, `\dot`, `_`: what comes after it without braces is one token.
+[[nodiscard]] bool takes_one_token(const Token& token);
+
 /// Without blanks, alignment and line breaks: to be set in another place.
 [[nodiscard]] Tokens without_layout(TokenView tokens);
 

@@ -90,3 +90,86 @@ TEST_CASE("near a series that is left open stands one that holds to its order") 
   const std::vector<std::string> found = offered(step);
   CHECK(std::ranges::find(found, "(1+x)^p = 1 + px + \\frac{p(p-1)}{2}x^2 + O(x^3)") != found.end());
 }
+
+TEST_CASE("near a number stands what agrees to its digits, with the constants that it is made of") {
+  const Step step = last_step(
+      "For the electron $$\\frac{h}{m^2c} \\approx 2.43\\times10^{-12}\\,\\mathrm m$$", Repairs::and_of_laws);
+  REQUIRE(!step.repairs.empty());
+  CHECK(step.repairs[0].statement == "\\frac{h}{mc} \\approx 2.43\\times10^{-12}\\,\\mathrm m");
+  CHECK(step.repairs[0].uses.size() == 3);
+}
+
+TEST_CASE("near a number that other digits contradict stands nothing") {
+  CHECK(offered(last_step("For the electron $$\\frac{h}{m^2c} \\approx 7.7\\times10^{-12}\\,\\mathrm m$$",
+                          Repairs::and_of_laws))
+            .empty());
+}
+
+TEST_CASE("a vector beside its component is no number, whatever decimals stand there") {
+  const std::string page = "With $\\mathbf v = (v_x, v_y, v_z)$ we have ";
+  for (const char* row : {"$$|2\\mathbf v|\\cdot 3 = 0.71\\,v_x$$", "$$|\\mathbf v|^2 \\approx 0.5\\,v_x$$"})
+    CHECK(last_step(page + row, Repairs::and_of_laws).verdict != Verdict::proved);
+}
+
+TEST_CASE("a row that cannot be read is told what stands near it") {
+  const std::string page =
+      "The fields obey $$\\nabla\\times\\mathbf E = -\\frac{\\partial\\mathbf B}{\\partial t}. \\tag{1}$$ "
+      "Then ";
+  const Step step = last_step(page +
+                                  "$$\\nabla\\times(\\nabla\\times\\mathbf E) = -\\frac{\\partial}{\\partial "
+                                  "t^2}(\\nabla\\times\\mathbf B)$$",
+                              Repairs::of_unexpected);
+  CHECK(step.verdict == Verdict::not_understood);
+  const std::string meant =
+      "\\nabla\\times(\\nabla\\times\\mathbf E) = -\\frac{\\partial}{\\partial t}(\\nabla\\times\\mathbf B)";
+  CHECK(offered(step) == std::vector<std::string>{meant});
+  CHECK(has_help(step, "one slip away, `" + meant + "` follows from law (1)"));
+}
+
+TEST_CASE("operators that exchange their places are found, and are nothing trivial") {
+  const Step step = last_step(
+      "For all operators $$[\\hat x,\\hat p^2] = [\\hat x,\\hat p]\\,\\hat p + \\hat p\\,[\\hat p,\\hat x]$$",
+      Repairs::of_unexpected);
+  const std::vector<std::string> found = offered(step);
+  for (const std::string meant :
+       {"[\\hat x,\\hat p^2] = [\\hat x,\\hat p]\\,\\hat p + \\hat p\\,[\\hat x,\\hat p]",
+        "[\\hat x,\\hat p^2] = [\\hat x,\\hat p]\\,\\hat p - \\hat p\\,[\\hat p,\\hat x]"})
+    CHECK(std::ranges::find(found, meant) != found.end());
+}
+
+TEST_CASE("a dot too many shows nothing of what is near") {
+  const std::string page =
+      "$$x(t) = a\\cos\\omega t + b\\sin\\omega t \\tag{1}$$ $$x(0) = x_0 \\tag{2}$$ So ";
+  CHECK(last_step(page + "$$a = x_0$$", Repairs::none).verdict == Verdict::proved);
+  for (const char* row : {"$$a = x_0'$$", "$$a = \\dot x_0$$"}) {
+    const std::vector<std::string> found = offered(last_step(page + row, Repairs::and_of_laws));
+    CHECK(std::ranges::find(found, "a = x_0") != found.end());
+  }
+}
+
+TEST_CASE("a letter of a derivative that holds another one may be that of another row") {
+  const std::string page = "For a gas $$dU = T\\,dS - p\\,dV. \\tag{1}$$ Hence ";
+  const Step step = last_step(page +
+                                  "$$\\left(\\frac{\\partial U}{\\partial V}\\right)_T = "
+                                  "T\\left(\\frac{\\partial U}{\\partial V}\\right)_T - p$$",
+                              Repairs::of_unexpected);
+  CHECK(offered(step) ==
+        std::vector<std::string>{"(\\frac{\\partial U}{\\partial V})_T = T(\\frac{\\partial S}{\\partial "
+                                 "V})_T - p"});
+}
+
+TEST_CASE("a slip in a general solution is suspect") {
+  const std::string page = "The mass obeys $$\\ddot x + \\omega^2x = 0. \\tag{1}$$ Its solution is ";
+  CHECK(last_step(page + "$$x(t) = a\\cos\\omega t + b\\sin\\omega t$$", Repairs::none).verdict ==
+        Verdict::proved);
+  const Step step = last_step(page + "$$x(t) = a\\cos\\omega^2t + b\\sin\\omega t$$", Repairs::of_unexpected);
+  CHECK(step.verdict == Verdict::suspect);
+  CHECK(offered(step) == std::vector<std::string>{"x(t) = a\\cos\\omega t + b\\sin\\omega t"});
+}
+
+TEST_CASE("no fraction that is one is offered") {
+  const std::string page = "$$x' = \\gamma x \\tag{1}$$ Hence ";
+  for (const std::string& statement :
+       offered(last_step(page + "$$\\frac{x'}{\\gamma} = \\frac12x$$", Repairs::of_unexpected)))
+    CHECK(statement.find("\\frac22") == std::string::npos);
+}

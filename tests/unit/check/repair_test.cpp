@@ -182,13 +182,14 @@ TEST_CASE("a term that only repeats the other side is not offered") {
   }
 }
 
-TEST_CASE("one missing term is offered once, whatever its order and its side") {
+TEST_CASE("one missing term is offered once on each side, whatever its order") {
   const Checked checked(rigor_says("unit vector \\mathbf n") +
                         "$$(\\mathbf s - 2(\\mathbf s\\cdot\\mathbf n)\\mathbf n)^2 = s^2 - 4(\\mathbf "
                         "s\\cdot\\mathbf n)^2 + 2(\\mathbf s\\cdot\\mathbf n)^2$$");
   const std::vector<Repair>& repairs = refuted_step(checked).repairs;
-  CHECK(std::count_if(repairs.begin(), repairs.end(), [](const Repair& each) { return each.adds_a_term; }) ==
-        1);
+  for (const bool on_left : {true, false})
+    CHECK(std::ranges::count_if(
+              repairs, [&](const Repair& each) { return each.adds_a_term && each.on_left == on_left; }) == 1);
 }
 
 TEST_CASE("a change is shown with the faces of its letters") {
