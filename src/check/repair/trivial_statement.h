@@ -10,8 +10,8 @@ namespace rigor {
 /// written (`0\,a = 0`). An identity such as `\nabla\times\nabla f = 0` is none of these.
 [[nodiscard]] bool is_trivial(const ExprTree& tree, ExprId left, ExprId right);
 
-/// The same with factors and terms in any order, and products written as powers: `xy = yx`, `xx = x^2`; not of
-/// operators.
+/// The same with factors and terms in any order, and products written as powers: `xy = yx`, `xx = x^2`; not
+/// of operators.
 [[nodiscard]] bool is_trivial_up_to_order(const ExprTree& tree, ExprId left, ExprId right);
 
 }  // namespace rigor
