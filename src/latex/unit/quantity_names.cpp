@@ -141,7 +141,7 @@ bool can_name_quantity(std::string_view phrase) {
 }
 
 bool can_say_property(std::string_view phrase) {
-  return properties().contains(lowered(phrase)) || left_out().contains(lowered(phrase));
+  return properties().contains(lowered(phrase));
 }
 
 bool is_symbol_of_letters(std::string_view phrase) {
