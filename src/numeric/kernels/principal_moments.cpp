@@ -59,16 +59,17 @@ void put(const MomentsColumns& c, std::size_t at, const std::optional<PrincipalA
   c.state[at] = solved ? MomentsState::mended : MomentsState::none;
 }
 
-/// All three moments are so alike that what the kernel works on is mostly the rounding of their mean, and its
-/// axes, which start from a rotation in doubles, are off by (2^-106/gap)².
+/// All three moments are so alike that they differ in the low parts only, and the kernel's axes, which start
+/// from a rotation in doubles, are off by (2^-106/gap)².
 bool has_lost_axes(const MomentsColumns& c, std::size_t at) {
-  return c.axes[0][0] != nullptr && c.gaps[0][at] + c.gaps[1][at] < 0x1p-60 * std::abs(c.moments[2][at]);
+  return c.axes[0][0] != nullptr && c.diagonal_low[0] != nullptr &&
+         c.gaps[0][at] + c.gaps[1][at] < 0x1p-60 * std::abs(c.moments[2][at]);
 }
 
 /// The results that the kernel got wrong for being small, put right without rotations if that does.
 bool mend(const MomentsColumns& c, std::size_t at, const SharpTensor& tensor) {
   const double state = c.state[at];
-  if (state >= MomentsState::lost || is_diagonal(tensor)) return false;
+  if (state >= MomentsState::lost) return false;
   PrincipalMoments principal;
   for (std::size_t k = 0; k < 3; ++k)
     principal.moments[k] = {c.moments[k][at], c.moments_low[k] != nullptr ? c.moments_low[k][at] : 0};
@@ -209,8 +210,9 @@ void solve_principal_moments(const MomentsColumns& columns, const LaneKernels& k
       if (const auto turned = solved_in_many_digits(tensor)) put_axes(columns, at, turned->axes);
       continue;
     }
-    if (mend(columns, at, tensor)) continue;
-    const auto larger = solved_larger(tensor);
+    const bool only_sorted = is_diagonal(tensor);
+    const auto larger = only_sorted ? std::nullopt : solved_larger(tensor);
+    if (!only_sorted && !larger && mend(columns, at, tensor)) continue;
     put(columns, at, larger ? larger : solved_in_many_digits(tensor));
   }
 }
