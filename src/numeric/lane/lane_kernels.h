@@ -13,6 +13,7 @@
 namespace rigor {
 
 struct MomentsColumns;
+struct MomentsOfOne;
 struct FreeSpin;
 struct FreeAttitude;
 
@@ -25,6 +26,7 @@ struct LaneKernels {
 
   // principal_moments.h
   void (*principal_moments)(const MomentsColumns&) = nullptr;
+  void (*principal_moments_of_one)(MomentsOfOne&, bool sharp, bool with_axes) = nullptr;
 
   // mass_sums.h
   SumPoints sum_points = nullptr;

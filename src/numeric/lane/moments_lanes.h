@@ -345,13 +345,43 @@ RIGOR_INLINE void store_at(const MomentsColumns& c, std::size_t at, const Eigens
   store(c.state + at, e.state);
 }
 
+template <bool sharp, bool with_axes, class T>
+RIGOR_INLINE Eigensystem<T> solved_of(const SymmetricTensor<T>& a) {
+  const Reduced<T> r = reduced<sharp>(a);
+  const Rotation<T> m = rotation_of(nearly_diagonalising(r.b));
+  return eigensystem<sharp, with_axes>(a, r, m, transformed<sharp>(r.b, m));
+}
+
 /// The tensors from `at` on, as many as T holds.
 template <bool sharp, bool with_axes, class T>
 RIGOR_INLINE void solve_at(const MomentsColumns& c, std::size_t at) {
-  const SymmetricTensor<T> a = tensor_at<sharp, T>(c, at);
-  const Reduced<T> r = reduced<sharp>(a);
-  const Rotation<T> m = rotation_of(nearly_diagonalising(r.b));
-  store_at<with_axes>(c, at, eigensystem<sharp, with_axes>(a, r, m, transformed<sharp>(r.b, m)));
+  store_at<with_axes>(c, at, solved_of<sharp, with_axes>(tensor_at<sharp, T>(c, at)));
+}
+
+template <bool sharp, bool with_axes>
+void solve_one(MomentsOfOne& one) {
+  SymmetricTensor<double> a;
+  for (int i = 0; i < 3; ++i) {
+    a.diagonal[i] = {one.diagonal[i], sharp ? one.diagonal_low[i] : 0};
+    a.off[i] = {one.off[i], sharp ? one.off_low[i] : 0};
+  }
+  const Eigensystem<double> e = solved_of<sharp, with_axes>(a);
+  for (int k = 0; k < 3; ++k) {
+    one.moments[k] = e.values[k].high;
+    one.moments_low[k] = e.values[k].low;
+    for (int i = 0; with_axes && i < 3; ++i) one.axes[k][i] = e.axes[k][i];
+  }
+  for (int k = 0; k < 2; ++k) one.gaps[k] = e.gaps[k];
+  one.state = e.state;
+}
+
+/// `sharp`: the low parts count.
+inline void principal_moments_of_one(MomentsOfOne& one, bool sharp, bool with_axes) {
+  if (with_axes) {
+    sharp ? solve_one<true, true>(one) : solve_one<false, true>(one);
+  } else {
+    sharp ? solve_one<true, false>(one) : solve_one<false, false>(one);
+  }
 }
 
 template <bool sharp, bool with_axes>
