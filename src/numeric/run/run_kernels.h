@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One function for each step and each choice of wide operands, over Eigen arrays of `lane_count` numbers. A
+// One function for each step and each choice of wide operands, over Eigen arrays of `lane_count` numbers; on
+// doubles those of `run_steps.h`, where there is one. A
 // fused step rounds after each of its operations, as separate steps would: the floor is compiled without
 // contraction into fused multiply-add instructions. Results may overwrite operands: all is lane by lane.
 #pragma once
@@ -8,16 +9,10 @@
 #include <type_traits>
 
 #include "base/check.h"
-#include "numeric/program/run_plan.h"
 #include "numeric/run/run_numbers.h"
+#include "numeric/run/run_steps.h"
 
 namespace rigor {
-
-inline constexpr int lane_count = 128;
-
-/// `lanes`: how many of them count, in steps over lanes.
-template <class T>
-using StepFunction = void (*)(T* const* slots, const PlanStep& step, int lanes);
 
 namespace kernels {
 
@@ -120,8 +115,6 @@ void run(T* const* slots, const PlanStep& step, int lanes) {
   if constexpr (kernel >= Kernel::absolute && kernel <= Kernel::tanh) {
     if constexpr (!to_wide) {
       *out = function_of<kernel>(X(0));
-    } else if constexpr (kernel == Kernel::root && std::is_same_v<T, double>) {
-      store<T, true>(out, X(0).sqrt());  // rounded correctly; Eigen's for float is not
     } else {
       store<T, true>(out, X(0).unaryExpr([](const T& x) { return function_of<kernel>(x); }));
     }
@@ -130,11 +123,17 @@ void run(T* const* slots, const PlanStep& step, int lanes) {
 #undef S
 }
 
+/// Doubles have their own functions, but for those of the standard library.
+template <class T, Kernel kernel>
+inline constexpr bool is_here = NumberTraits<T>::has_lanes &&
+                                (!std::is_same_v<T, double> ||
+                                 (kernel >= Kernel::sin && kernel <= Kernel::tanh));
+
 template <class T, Kernel kernel, unsigned... choices>
 [[nodiscard]] StepFunction<T> choose(unsigned wide) {
   StepFunction<T> chosen = nullptr;
   if (wide == 0) return &run<T, kernel, 0>;
-  if constexpr (NumberTraits<T>::has_lanes)
+  if constexpr (is_here<T, kernel>)
     static_cast<void>(((wide == choices ? (chosen = &run<T, kernel, choices>, true) : false) || ...));
   RIGOR_CHECK(chosen != nullptr, static_cast<int>(kernel), wide);
   return chosen;
@@ -143,6 +142,9 @@ template <class T, Kernel kernel, unsigned... choices>
 /// Operands are wide in the order in which `run_fuse.h` puts them.
 template <class T>
 [[nodiscard]] StepFunction<T> function_for(const PlanStep& step) {
+  if constexpr (std::is_same_v<T, double>) {
+    if (const StepFunction<double> found = wide_steps()(step)) return found;
+  }
 // For these choices of what is wide, and for nothing wide.
 #define CASE(kernel, ...) \
   case Kernel::kernel:    \
@@ -177,7 +179,7 @@ template <class T>
     CASE(accumulate, 0x8000, 0x8001);
     CASE(accumulate_product, 0x8001, 0x8003);
     case Kernel::fold:
-      if constexpr (NumberTraits<T>::has_lanes) return &run<T, Kernel::fold, 1>;
+      if constexpr (is_here<T, Kernel::fold>) return &run<T, Kernel::fold, 1>;
       break;
     case Kernel::loop:
       break;
