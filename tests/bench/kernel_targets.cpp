@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "report/wording/figures.h"
 
@@ -32,11 +33,13 @@ class Rows {
     for_each(table, name, family, [&](const KernelRow& row) { worst = std::max(worst, row.error); });
     return worst >= 0 ? worst : infinity;
   }
-  /// How often the second takes the time of the first.
-  [[nodiscard]] double times_faster(const std::string& table, const std::string& name,
-                                    const std::string& peer, const std::string& family = "") const {
+  /// How often the second takes the time of the first; nothing where the peer was not measured.
+  [[nodiscard]] std::optional<double> times_faster(const std::string& table, const std::string& name,
+                                                   const std::string& peer,
+                                                   const std::string& family = "") const {
     const double peers = time(table, peer, family);
-    return peers < infinity ? peers / time(table, name, family) : 0;
+    if (!(peers < infinity)) return std::nullopt;
+    return peers / time(table, name, family);
   }
 
   /// The fastest result of names that begin so, among those that are good to 1e-9; null if there is none.
@@ -75,10 +78,33 @@ KernelTarget at_most(std::string what, double most, double measured) {
   return {std::move(what), fmt::format("at most {:g}", most), short_number(measured), measured <= most};
 }
 
-/// Of the peer's time over the kernel's.
-KernelTarget faster(std::string what, double least, double measured) {
-  return {std::move(what), fmt::format("at least {:g}", least), fmt::format("{:.2f}", measured),
-          measured >= least};
+/// Of the peer's time over the kernel's. A peer that is not there is no win.
+KernelTarget faster(std::string what, double least, std::optional<double> measured) {
+  return {std::move(what), fmt::format("at least {:g}", least),
+          measured ? fmt::format("{:.2f}", *measured) : "missing", measured && *measured >= least};
+}
+
+/// Each against Eigen's two solvers; bodies of revolution as others. A ratio of single calls is that of
+/// times, and so at most.
+void add_moments(const Rows& rows, std::vector<KernelTarget>& targets) {
+  const auto batched = [&](const std::string& what, const std::string& table, const std::string& peer,
+                           const std::string& family, double least) {
+    targets.push_back(faster(fmt::format("{}, against {}, {}", what, peer, family), least,
+                             rows.times_faster(table, "kernel", peer, family)));
+  };
+  const auto single = [&](const std::string& what, const std::string& table, double most) {
+    const auto ratio = rows.times_faster(table, "Eigen computeDirect", "kernel, single", "random bodies");
+    KernelTarget target = at_most(what, most, ratio.value_or(infinity));
+    if (!ratio) target.measured = "missing";
+    targets.push_back(std::move(target));
+  };
+  batched("moments with gaps", "moments", "Eigen compute", "random bodies", 6);
+  batched("moments with gaps", "moments", "Eigen computeDirect", "random bodies", 1);
+  batched("moments with axes", "axes", "Eigen compute", "random bodies", 5);
+  for (const char* family : {"random bodies", "turned cylinders", "turned rods", "turned spheres"})
+    batched("moments with axes", "axes", "Eigen computeDirect", family, 1);
+  single("one tensor, moments, time over computeDirect's", "moments", 1.5);
+  single("one tensor, axes, time over computeDirect's", "axes", 1.5);
 }
 
 void add_particles(const Rows& rows, std::vector<KernelTarget>& targets) {
@@ -87,6 +113,13 @@ void add_particles(const Rows& rows, std::vector<KernelTarget>& targets) {
                            rows.times_faster(time, "kernel", "Eigen, two passes", "memory")));
   targets.push_back(faster("inertia of 16,384 points from cache, against two passes of Eigen", 8,
                            rows.times_faster(time, "kernel", "Eigen, two passes", "16384 ")));
+  const std::string competent = "Eigen, columns in blocks";
+  targets.push_back(faster("the same from memory, against columns in blocks", 1.5,
+                           rows.times_faster(time, "kernel", competent, "memory")));
+  targets.push_back(faster("the same, 16,384 points, against columns in blocks", 1.5,
+                           rows.times_faster(time, "kernel", competent, "16384 ")));
+  targets.push_back(faster("the same, 1,024 points, against columns in blocks", 1,
+                           rows.times_faster(time, "kernel", competent, "1024 ")));
   targets.push_back(faster("inertia of points from memory, part of the read bandwidth", 0.85,
                            rows.times_faster(time, "kernel", "read", "memory")));
   targets.push_back(at_most("inertia of points, error at any distance", 1e-15,
@@ -106,6 +139,12 @@ void add_free_motion(const Rows& rows, std::vector<KernelTarget>& targets) {
   const double least = rows.least_error(spin, "odeint", hundred);
   targets.push_back(faster("the same, against the least error of odeint at any cost", 100,
                            both && least < infinity ? least / kernel->error : 0));
+  targets.push_back(faster(
+      "torque-free spin with set-up, against Boost.Math", 2,
+      rows.times_faster(spin, "closed form, set-up and one time", "Boost.Math jacobi_elliptic", hundred)));
+  targets.push_back(
+      faster("the same, set up before", 2,
+             rows.times_faster(spin, "closed form, one time", "Boost.Math, one time", hundred)));
   targets.push_back(at_most("torque-free spin at the separatrix, error", 1e-14,
                             rows.error(spin, "closed form, set-up and one time", "separatrix")));
   targets.push_back(at_most("torque-free attitude at t = 100, error", 1e-14,
@@ -120,13 +159,10 @@ std::vector<KernelTarget> kernel_targets(std::span<const KernelRow> all) {
   std::vector<KernelTarget> targets;
   targets.push_back(
       at_most("error of every gap and moment, all families, in u", 16, rows.error("moments", "kernel") / u));
-  targets.push_back(faster("moments with gaps, against Eigen compute, random bodies", 6,
-                           rows.times_faster("moments", "kernel", "Eigen compute", "random bodies")));
-  targets.push_back(faster("moments with axes, against Eigen compute, random bodies", 5,
-                           rows.times_faster("axes", "kernel", "Eigen compute", "random bodies")));
+  add_moments(rows, targets);
   targets.push_back(at_most("residual of the axes, in u", 5, rows.error("residual of axes", "kernel") / u));
   targets.push_back(
-      at_most("orthonormality of the axes, in u", 8, rows.error("orthonormality of axes", "kernel") / u));
+      at_most("orthonormality of the axes, in u", 10, rows.error("orthonormality of axes", "kernel") / u));
   targets.push_back(at_most("points to stability frequency, error", 1e-15, rows.error(stability, "kernel")));
   targets.push_back(faster("the same, against Eigen", 1,
                            rows.times_faster(stability, "kernel", "Eigen, two passes, compute")));
