@@ -41,6 +41,16 @@ template <Kernel kernel, class T>
   if constexpr (kernel == Kernel::tanh) return NumberTraits<T>::hyperbolic_tangent(x);
 }
 
+/// Each operand is computed once.
+template <class T, class Value>
+[[nodiscard]] auto square_of(const Value& value) {
+  if constexpr (std::is_same_v<Value, T>) {
+    return T(value * value);
+  } else {
+    return value.square();
+  }
+}
+
 template <class T, bool wide, class Value>
 void store(T* out, const Value& value) {
   if constexpr (!wide) {
@@ -103,6 +113,10 @@ void run(T* const* slots, const PlanStep& step, int lanes) {
     store<T, to_wide>(out, (X(0) * X(1) + X(2) * X(3)) + X(4) * X(5));
   if constexpr (kernel == Kernel::square_sum_3)
     store<T, to_wide>(out, (X(0) * X(0) + X(1) * X(1)) + X(2) * X(2));
+  if constexpr (kernel == Kernel::cross_square)
+    store<T, to_wide>(out,
+                      (square_of<T>(X(0) * X(3) - X(1) * X(4)) + square_of<T>(X(1) * X(5) - X(2) * X(3))) +
+                          square_of<T>(X(2) * X(4) - X(0) * X(5)));
   if constexpr (kernel == Kernel::product_3) store<T, to_wide>(out, (X(0) * X(1)) * X(2));
   if constexpr (kernel == Kernel::triple_sum_3)
     store<T, to_wide>(out, (X(0) * S(1, 0) * X(2) + X(3) * S(4, 1) * X(5)) + X(6) * S(7, 2) * X(8));
@@ -173,6 +187,7 @@ template <class T>
     CASE(product_difference, 0x8005, 0x8007, 0x800d, 0x800f);
     CASE(product_sum_3, 0x8015, 0x803f);
     CASE(square_sum_3, 0x8007);
+    CASE(cross_square, 0x8007, 0x803f);
     CASE(product_3, 0x8001, 0x8003, 0x8005, 0x8007);
     CASE(triple_sum_3, 0x816d);
     CASE(add_triple_sum_3, 0x82db);

@@ -26,6 +26,12 @@ RIGOR_INLINE T value_of(const T* x) {
   if constexpr (kernel == Kernel::product_difference) return x[0] * x[1] - x[2] * x[3];
   if constexpr (kernel == Kernel::product_sum_3) return (x[0] * x[1] + x[2] * x[3]) + x[4] * x[5];
   if constexpr (kernel == Kernel::square_sum_3) return (x[0] * x[0] + x[1] * x[1]) + x[2] * x[2];
+  if constexpr (kernel == Kernel::cross_square) {
+    const T a = x[0] * x[3] - x[1] * x[4];
+    const T b = x[1] * x[5] - x[2] * x[3];
+    const T c = x[2] * x[4] - x[0] * x[5];
+    return (a * a + b * b) + c * c;
+  }
   if constexpr (kernel == Kernel::product_3) return (x[0] * x[1]) * x[2];
   if constexpr (kernel == Kernel::triple_sum_3)
     return (x[0] * x[1] * x[2] + x[3] * x[4] * x[5]) + x[6] * x[7] * x[8];
@@ -54,6 +60,7 @@ constexpr int operands_of(Kernel kernel) {
     case Kernel::product_difference:
       return 4;
     case Kernel::product_sum_3:
+    case Kernel::cross_square:
       return 6;
     case Kernel::triple_sum_3:
       return 9;
@@ -159,6 +166,7 @@ StepFunction<double> found_step(const PlanStep& step) {
     CASE(product_difference, 0x8005, 0x8007, 0x800d, 0x800f);
     CASE(product_sum_3, 0x8015, 0x803f);
     CASE(square_sum_3, 0x8007);
+    CASE(cross_square, 0x8007, 0x803f);
     CASE(product_3, 0x8001, 0x8003, 0x8005, 0x8007);
     CASE(triple_sum_3, 0x816d);
     CASE(add_triple_sum_3, 0x82db);

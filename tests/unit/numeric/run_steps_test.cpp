@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t width = lane_count;
 
-/// Eleven wide slots of random numbers; the last one is for the result.
+/// Wide slots of random numbers; the last one is for the result.
 struct Slots {
   std::vector<double> numbers;
   std::array<double*, most_operands + 1> at{};
@@ -79,6 +79,17 @@ TEST_CASE("each lane has the value that the step's formula has with roundings in
     const double first = x(0, i) * x(1, 0);
     const double second = x(2, i) * x(3, 0);
     CHECK(x(most_operands, i) == first - second);
+  }
+  run(Kernel::cross_square, 0b111, 0, slots);
+  for (std::size_t i = 0; i < width; ++i) {
+    std::array<double, 3> squares{};
+    constexpr std::array<std::array<std::size_t, 4>, 3> factors{{{0, 3, 1, 4}, {1, 5, 2, 3}, {2, 4, 0, 5}}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double first = x(factors[k][0], i) * x(factors[k][1], 0);
+      const double second = x(factors[k][2], i) * x(factors[k][3], 0);
+      squares[k] = (first - second) * (first - second);
+    }
+    CHECK(x(most_operands, i) == squares[0] + squares[1] + squares[2]);
   }
   // The second triple is subtracted.
   run(Kernel::add_triple_sum_3, 0x2db, 2, slots);
