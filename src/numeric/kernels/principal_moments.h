@@ -54,7 +54,7 @@ struct PrincipalAxes {
 
 /// Many tensors. `state` says what became of each: `good`, `mended`, or `none`, with NaN for all results.
 /// Cost: 37 ns a tensor in lanes of 8, 41 ns with axes (49 and 57 in lanes of 4, 137 and 148 in lanes of 2);
-/// bodies of revolution in any attitude 68 and 73 ns (85 and 96, 250 and 290); a single one 0.2 us. The bits
+/// bodies of revolution in any attitude 65 and 70 ns (83 and 92, 245 and 270); a single one 0.2 us. The bits
 /// depend neither on the instruction set nor on the place of a tensor.
 void solve_principal_moments(const MomentsColumns& columns, const LaneKernels& kernels = lane_kernels());
 

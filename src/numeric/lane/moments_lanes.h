@@ -237,10 +237,10 @@ RIGOR_INLINE Sharpened<T> sharpen(const SymmetricTensor<T>& a, const Reduced<T>&
 
   Sharpened<T> result;
   const auto usable = small & (absolute(apart) >= 0.25);
-  result.equal = usable & is_exact(r, a) & is_rank_one(r.b, mean.high);
-  result.good = usable & negation(result.equal) &
-                (absolute(pair.difference) * good_beside >= close_pair_rounding) &
+  result.good = usable & (absolute(pair.difference) * good_beside >= close_pair_rounding) &
                 (absolute(pair.difference) * r.power * good_beside >= rounding_of_tiny);
+  result.equal = usable & negation(result.good);
+  if (any(result.equal)) result.equal = result.equal & is_exact(r, a) & is_rank_one(r.b, mean.high);
   for (int p = 0; p < 2; ++p) {
     const T half = (p == 0 ? 0.5 : -0.5) * pair.difference;
     const DoubleDouble<T> value = {mean.high, mean.low + (pair.middle + half)};
