@@ -104,7 +104,7 @@ void put_tensor(const Tensor& tensor, MomentsOfOne& one) {
   }
 }
 
-MomentsColumns columns_of(MomentsOfOne& one, bool sharp, bool with_axes) {
+MomentsColumns columns_of_one(MomentsOfOne& one, bool sharp, bool with_axes) {
   MomentsColumns c;
   c.count = 1;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -135,7 +135,7 @@ const char* solve_one(const Tensor& tensor, bool with_axes, MomentsOfOne& one) {
   put_tensor(tensor, one);
   lane_kernels().principal_moments_of_one(one, sharp, with_axes);
   if (one.state != MomentsState::good || (sharp && with_axes))
-    solve_principal_moments(columns_of(one, sharp, with_axes));
+    solve_principal_moments(columns_of_one(one, sharp, with_axes));
   return one.state == MomentsState::none ? "a principal moment or a gap between two overflows" : nullptr;
 }
 
