@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# src/numeric/lane/lane_kernels.cpp, compiled once for each instruction set that compiler and processor know.
+# What runs in lanes, compiled once for each instruction set that compiler and processor know.
 include(CheckCXXSourceCompiles)
 
 # The instruction sets, and how many doubles each has at once.
@@ -17,11 +17,11 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   endif()
 endif()
 
-# Adds the kernels to `target`, with its options.
-function(rigor_add_lane_kernels target source)
+# Adds the kernels of these sources to `target`, with its options.
+function(rigor_add_lane_kernels target)
   foreach(set IN LISTS RIGOR_INSTRUCTION_SETS)
     set(kernels ${target}_${set})
-    add_library(${kernels} OBJECT ${source})
+    add_library(${kernels} OBJECT ${ARGN})
     target_include_directories(${kernels} PRIVATE src)
     target_compile_options(${kernels} PRIVATE $<TARGET_PROPERTY:${target},COMPILE_OPTIONS>)
     target_compile_definitions(${kernels} PRIVATE RIGOR_INSTRUCTION_SET=${set} RIGOR_LANES=${RIGOR_LANES_${set}})

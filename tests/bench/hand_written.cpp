@@ -88,6 +88,36 @@ namespace {
   return total;
 }
 
+// The compiler takes `__restrict` from parameters only.
+void add_angular_momentum(const std::array<double, 3>& r, double m, const double* __restrict w1,
+                          const double* __restrict w2, const double* __restrict w3, std::size_t samples,
+                          double* __restrict lx, double* __restrict ly, double* __restrict lz) {
+  const double rx = r[0];
+  const double ry = r[1];
+  const double rz = r[2];
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double x = w2[i] * rz - w3[i] * ry;
+    const double y = w3[i] * rx - w1[i] * rz;
+    const double z = w1[i] * ry - w2[i] * rx;
+    lx[i] += m * (ry * z - rz * y);
+    ly[i] += m * (rz * x - rx * z);
+    lz[i] += m * (rx * y - ry * x);
+  }
+}
+
+void euler_rates(const std::array<double, 3>& moments, const double* __restrict w1,
+                 const double* __restrict w2, const double* __restrict w3, std::size_t samples,
+                 double* __restrict x, double* __restrict y, double* __restrict z) {
+  const double i1 = moments[0];
+  const double i2 = moments[1];
+  const double i3 = moments[2];
+  for (std::size_t i = 0; i < samples; ++i) {
+    x[i] = (i2 - i3) * w2[i] * w3[i] / i1;
+    y[i] = (i3 - i1) * w3[i] * w1[i] / i2;
+    z[i] = (i1 - i2) * w1[i] * w2[i] / i3;
+  }
+}
+
 }  // namespace
 
 void energy_from_inertia(const PointMasses& body, const Columns& w, std::size_t samples,
@@ -106,36 +136,15 @@ void energy_from_inertia(const PointMasses& body, const Columns& w, std::size_t 
 
 void angular_momentum(const PointMasses& body, const Columns& w, std::size_t samples,
                       const std::array<double*, 3>& result) {
-  double* __restrict lx = result[0];
-  double* __restrict ly = result[1];
-  double* __restrict lz = result[2];
   for (double* each : result) std::fill_n(each, samples, 0.0);
-  for (std::size_t k = 0; k < body.count; ++k) {
-    const double rx = body.r[0][k];
-    const double ry = body.r[1][k];
-    const double rz = body.r[2][k];
-    const double m = body.m[k];
-    for (std::size_t i = 0; i < samples; ++i) {
-      const double x = w[1][i] * rz - w[2][i] * ry;
-      const double y = w[2][i] * rx - w[0][i] * rz;
-      const double z = w[0][i] * ry - w[1][i] * rx;
-      lx[i] += m * (ry * z - rz * y);
-      ly[i] += m * (rz * x - rx * z);
-      lz[i] += m * (rx * y - ry * x);
-    }
-  }
+  for (std::size_t k = 0; k < body.count; ++k)
+    add_angular_momentum({body.r[0][k], body.r[1][k], body.r[2][k]}, body.m[k], w[0], w[1], w[2], samples,
+                         result[0], result[1], result[2]);
 }
 
 void euler_rates(const std::array<double, 3>& moments, const Columns& w, std::size_t samples,
                  const std::array<double*, 3>& result) {
-  double* __restrict x = result[0];
-  double* __restrict y = result[1];
-  double* __restrict z = result[2];
-  for (std::size_t i = 0; i < samples; ++i) {
-    x[i] = (moments[1] - moments[2]) * w[1][i] * w[2][i] / moments[0];
-    y[i] = (moments[2] - moments[0]) * w[2][i] * w[0][i] / moments[1];
-    z[i] = (moments[0] - moments[1]) * w[0][i] * w[1][i] / moments[2];
-  }
+  euler_rates(moments, w[0], w[1], w[2], samples, result[0], result[1], result[2]);
 }
 
 }  // namespace rigor::bench

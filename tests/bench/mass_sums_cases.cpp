@@ -56,6 +56,46 @@ Tensor eigen_two_passes(const BenchPoints& points) {
   return tensor_of(inertia);
 }
 
+/// What one writes who knows Eigen well: two passes over columns, in blocks that stay in the cache. One block
+/// is centred once, and its six sums are products of columns.
+Tensor eigen_columns(const BenchPoints& points) {
+  constexpr Eigen::Index block = 512;
+  using Column = Eigen::Map<const Eigen::ArrayXd>;
+  using Block = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, block, 1>;
+  const auto count = static_cast<Eigen::Index>(points.columns.count);
+  const auto column = [&](std::size_t i, Eigen::Index at, Eigen::Index size) {
+    return Column(points.columns.position[i] + at, size);
+  };
+  double mass = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (Eigen::Index at = 0; at < count; at += block) {
+    const Eigen::Index size = std::min(block, count - at);
+    const Column m(points.columns.mass + at, size);
+    mass += m.sum();
+    for (std::size_t i = 0; i < 3; ++i)
+      centre[static_cast<Eigen::Index>(i)] += (m * column(i, at, size)).sum();
+  }
+  centre /= mass;
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (Eigen::Index at = 0; at < count; at += block) {
+    const Eigen::Index size = std::min(block, count - at);
+    const Column m(points.columns.mass + at, size);
+    const Block x = column(0, at, size) - centre[0];
+    const Block y = column(1, at, size) - centre[1];
+    const Block z = column(2, at, size) - centre[2];
+    const Block mx = m * x;
+    const Block my = m * y;
+    second(0, 0) += (mx * x).sum();
+    second(0, 1) += (mx * y).sum();
+    second(0, 2) += (mx * z).sum();
+    second(1, 1) += (my * y).sum();
+    second(1, 2) += (my * z).sum();
+    second(2, 2) += (m * z * z).sum();
+  }
+  const Eigen::Matrix3d whole = second.selfadjointView<Eigen::Upper>();
+  return tensor_of(whole.trace() * Eigen::Matrix3d::Identity() - whole);
+}
+
 /// Σ m, Σ m x_i and Σ m x_i x_j in ten numbers: a 3×3 matrix to which outer products are added takes three
 /// times as long.
 Tensor one_pass(const BenchPoints& points) {
@@ -136,6 +176,7 @@ std::vector<PointMethod> point_methods() {
   return {
       {"read", plain_read, false},
       {"Eigen, two passes", eigen_two_passes},
+      {"Eigen, columns in blocks", eigen_columns},
       {"one pass about the origin", one_pass},
       {"kernel", [](const BenchPoints& p) { return inertia_of(mass_sums(p.columns)); }},
       {"kernel, 2 threads", [](const BenchPoints& p) { return inertia_of(mass_sums(p.columns, {2})); }},

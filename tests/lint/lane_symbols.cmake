@@ -2,9 +2,10 @@
 # What the lane kernels may define: nothing that the linker could also take for code compiled for other instruction
 # sets. Every symbol of an object file must stand in the namespace of its set.
 #
-#   cmake -D NM=nm -D SET=x86_64_v4 -D OBJECTS=a.o -P tests/lint/lane_symbols.cmake
+#   cmake -D NM=nm -D SET=x86_64_v4 -D OBJECTS=a.o+b.o -P tests/lint/lane_symbols.cmake
 cmake_minimum_required(VERSION 3.25)
 
+string(REPLACE ".o+" ".o;" OBJECTS "${OBJECTS}")
 execute_process(COMMAND ${NM} --defined-only --extern-only --demangle ${OBJECTS}
   OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "[][;]" " " text "${text}")

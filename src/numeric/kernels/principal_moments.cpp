@@ -59,16 +59,17 @@ void put(const MomentsColumns& c, std::size_t at, const std::optional<PrincipalA
   c.state[at] = solved ? MomentsState::mended : MomentsState::none;
 }
 
-/// All three moments are so alike that what the kernel works on is mostly the rounding of their mean, and its
-/// axes, which start from a rotation in doubles, are off by (2^-106/gap)².
+/// All three moments are so alike that they differ in the low parts only, and the kernel's axes, which start
+/// from a rotation in doubles, are off by (2^-106/gap)².
 bool has_lost_axes(const MomentsColumns& c, std::size_t at) {
-  return c.axes[0][0] != nullptr && c.gaps[0][at] + c.gaps[1][at] < 0x1p-60 * std::abs(c.moments[2][at]);
+  return c.axes[0][0] != nullptr && c.diagonal_low[0] != nullptr &&
+         c.gaps[0][at] + c.gaps[1][at] < 0x1p-60 * std::abs(c.moments[2][at]);
 }
 
 /// The results that the kernel got wrong for being small, put right without rotations if that does.
 bool mend(const MomentsColumns& c, std::size_t at, const SharpTensor& tensor) {
   const double state = c.state[at];
-  if (state >= MomentsState::lost || is_diagonal(tensor)) return false;
+  if (state >= MomentsState::lost) return false;
   PrincipalMoments principal;
   for (std::size_t k = 0; k < 3; ++k)
     principal.moments[k] = {c.moments[k][at], c.moments_low[k] != nullptr ? c.moments_low[k][at] : 0};
@@ -87,64 +88,80 @@ bool mend(const MomentsColumns& c, std::size_t at, const SharpTensor& tensor) {
   return true;
 }
 
-/// One tensor with room for its results.
-struct SingleTensor {
-  std::array<double, 3> diagonal{};
-  std::array<double, 3> off{};
-  std::array<double, 3> diagonal_low{};
-  std::array<double, 3> off_low{};
-  PrincipalAxes result;
-  std::array<double, 3> high{};
-  std::array<double, 3> low{};
-  double state = 0;
-
-  template <class Tensor>
-  explicit SingleTensor(const Tensor& tensor) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      const std::size_t k = (i + 2) % 3;
-      const auto& beside = tensor[std::max(j, k)][std::min(j, k)];
-      diagonal[i] = high_of(tensor[i][i]);
-      off[i] = high_of(beside);
-      if constexpr (std::is_same_v<Tensor, SharpTensor>) {
-        diagonal_low[i] = tensor[i][i].low;
-        off_low[i] = beside.low;
-      }
-    }
-  }
-
-  MomentsColumns columns(bool sharp, bool with_axes) {
-    MomentsColumns c;
-    c.count = 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      c.diagonal[i] = &diagonal[i];
-      c.off[i] = &off[i];
-      if (sharp) {
-        c.diagonal_low[i] = &diagonal_low[i];
-        c.off_low[i] = &off_low[i];
-      }
-      c.moments[i] = &high[i];
-      c.moments_low[i] = &low[i];
-      for (std::size_t j = 0; j < 3 && with_axes; ++j) c.axes[i][j] = &result.axes[i][j];
-    }
-    for (std::size_t k = 0; k < 2; ++k) c.gaps[k] = &result.principal.gaps[k];
-    c.state = &state;
-    return c;
-  }
-};
-
+/// The lower triangle.
 template <class Tensor>
-Result<PrincipalAxes> solved(const Tensor& tensor, bool with_axes) {
+void put_tensor(const Tensor& tensor, MomentsOfOne& one) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const auto& beside = tensor[std::max(j, k)][std::min(j, k)];
+    one.diagonal[i] = high_of(tensor[i][i]);
+    one.off[i] = high_of(beside);
+    if constexpr (std::is_same_v<Tensor, SharpTensor>) {
+      one.diagonal_low[i] = tensor[i][i].low;
+      one.off_low[i] = beside.low;
+    }
+  }
+}
+
+MomentsColumns columns_of_one(MomentsOfOne& one, bool sharp, bool with_axes) {
+  MomentsColumns c;
+  c.count = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    c.diagonal[i] = &one.diagonal[i];
+    c.off[i] = &one.off[i];
+    if (sharp) {
+      c.diagonal_low[i] = &one.diagonal_low[i];
+      c.off_low[i] = &one.off_low[i];
+    }
+    c.moments[i] = &one.moments[i];
+    c.moments_low[i] = &one.moments_low[i];
+    for (std::size_t j = 0; j < 3 && with_axes; ++j) c.axes[i][j] = &one.axes[i][j];
+  }
+  for (std::size_t k = 0; k < 2; ++k) c.gaps[k] = &one.gaps[k];
+  c.state = &one.state;
+  return c;
+}
+
+/// The reason why there are no results, or null. Only what the kernel leaves takes the way of many tensors.
+template <class Tensor>
+const char* solve_one(const Tensor& tensor, bool with_axes, MomentsOfOne& one) {
   for (const auto& row : tensor) {
     for (const auto& entry : row) {
-      if (!is_finite(entry)) return refuse("the inertia tensor is not finite");
+      if (!is_finite(entry)) return "the inertia tensor is not finite";
     }
   }
-  SingleTensor single(tensor);
-  solve_principal_moments(single.columns(std::is_same_v<Tensor, SharpTensor>, with_axes));
-  if (single.state == MomentsState::none) return refuse("a principal moment or a gap between two overflows");
-  for (std::size_t k = 0; k < 3; ++k) single.result.principal.moments[k] = {single.high[k], single.low[k]};
-  return single.result;
+  constexpr bool sharp = std::is_same_v<Tensor, SharpTensor>;
+  put_tensor(tensor, one);
+  lane_kernels().principal_moments_of_one(one, sharp, with_axes);
+  if (one.state != MomentsState::good || (sharp && with_axes))
+    solve_principal_moments(columns_of_one(one, sharp, with_axes));
+  return one.state == MomentsState::none ? "a principal moment or a gap between two overflows" : nullptr;
+}
+
+PrincipalMoments moments_of(const MomentsOfOne& one) {
+  PrincipalMoments principal;
+  for (std::size_t k = 0; k < 3; ++k) principal.moments[k] = {one.moments[k], one.moments_low[k]};
+  principal.gaps = {one.gaps[0], one.gaps[1]};
+  return principal;
+}
+
+PrincipalAxes axes_of(const MomentsOfOne& one) {
+  PrincipalAxes result{moments_of(one), {}};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i) result.axes[k][i] = one.axes[k][i];
+  return result;
+}
+
+template <class Found, class Tensor>
+Result<Found> result_of(const Tensor& tensor) {
+  constexpr bool with_axes = std::is_same_v<Found, PrincipalAxes>;
+  MomentsOfOne one;
+  if (const char* reason = solve_one(tensor, with_axes, one)) return refuse(reason);
+  if constexpr (with_axes)
+    return axes_of(one);
+  else
+    return moments_of(one);
 }
 
 /// A tensor below the range in which the kernel loses nothing, solved times a power of two, which is exact.
@@ -159,12 +176,13 @@ std::optional<PrincipalAxes> solved_larger(const SharpTensor& tensor) {
     }
   }
   if (greatest == 0 || !(greatest < 0x1p-900)) return std::nullopt;
-  auto result = solved(larger, true);
-  if (!result) return std::nullopt;
-  for (HighLow& moment : result->principal.moments)
+  MomentsOfOne one;
+  if (solve_one(larger, true, one) != nullptr) return std::nullopt;
+  PrincipalAxes result = axes_of(one);
+  for (HighLow& moment : result.principal.moments)
     moment = {std::ldexp(moment.high, -power), std::ldexp(moment.low, -power)};
-  for (double& gap : result->principal.gaps) gap = std::ldexp(gap, -power);
-  return *result;
+  for (double& gap : result.principal.gaps) gap = std::ldexp(gap, -power);
+  return result;
 }
 
 /// What is given is complete: all of it or no_number of it, and room for what there always is.
@@ -191,13 +209,13 @@ double PrincipalMoments::gap(std::size_t i, std::size_t j) const {
 }
 
 Result<PrincipalMoments> principal_moments(const InertiaTensor& tensor) {
-  return solved(tensor, false).map(&PrincipalAxes::principal);
+  return result_of<PrincipalMoments>(tensor);
 }
 Result<PrincipalMoments> principal_moments(const SharpTensor& tensor) {
-  return solved(tensor, false).map(&PrincipalAxes::principal);
+  return result_of<PrincipalMoments>(tensor);
 }
-Result<PrincipalAxes> principal_axes(const InertiaTensor& tensor) { return solved(tensor, true); }
-Result<PrincipalAxes> principal_axes(const SharpTensor& tensor) { return solved(tensor, true); }
+Result<PrincipalAxes> principal_axes(const InertiaTensor& tensor) { return result_of<PrincipalAxes>(tensor); }
+Result<PrincipalAxes> principal_axes(const SharpTensor& tensor) { return result_of<PrincipalAxes>(tensor); }
 
 void solve_principal_moments(const MomentsColumns& columns, const LaneKernels& kernels) {
   check_columns(columns);
@@ -209,8 +227,9 @@ void solve_principal_moments(const MomentsColumns& columns, const LaneKernels& k
       if (const auto turned = solved_in_many_digits(tensor)) put_axes(columns, at, turned->axes);
       continue;
     }
-    if (mend(columns, at, tensor)) continue;
-    const auto larger = solved_larger(tensor);
+    const bool only_sorted = is_diagonal(tensor);
+    const auto larger = only_sorted ? std::nullopt : solved_larger(tensor);
+    if (!only_sorted && !larger && mend(columns, at, tensor)) continue;
     put(columns, at, larger ? larger : solved_in_many_digits(tensor));
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/lane/lane_kernels.h"
 
+#include <cstdlib>
+
 namespace rigor {
 
 namespace baseline {
@@ -27,9 +29,19 @@ const std::vector<const LaneKernels*>& runnable_lane_kernels() {
   return runnable;
 }
 
+const LaneKernels& lane_kernels_named(std::string_view instruction_set) {
+  const auto& sets = runnable_lane_kernels();
+  for (const LaneKernels* kernels : sets)
+    if (kernels->instruction_set == instruction_set) return *kernels;
+  return *sets.back();
+}
+
 const LaneKernels& lane_kernels() {
-  static const LaneKernels& widest = *runnable_lane_kernels().back();
-  return widest;
+  static const LaneKernels& chosen = []() -> const LaneKernels& {
+    const char* name = std::getenv("RIGOR_INSTRUCTION_SET");
+    return lane_kernels_named(name == nullptr ? "" : name);
+  }();
+  return chosen;
 }
 
 }  // namespace rigor

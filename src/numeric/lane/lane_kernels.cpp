@@ -21,6 +21,7 @@ const LaneKernels kernels = {
     .lanes = lanes,
     .mesh = mesh_kernels,
     .principal_moments = principal_moments_kernel,
+    .principal_moments_of_one = principal_moments_of_one,
     .sum_points = sum_points,
     .sum_points_sharply = sum_points_sharply,
     .sample_points = sample_points,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "numeric/lane/mesh_totals.h"
@@ -13,6 +14,7 @@
 namespace rigor {
 
 struct MomentsColumns;
+struct MomentsOfOne;
 struct FreeSpin;
 struct FreeAttitude;
 
@@ -25,6 +27,7 @@ struct LaneKernels {
 
   // principal_moments.h
   void (*principal_moments)(const MomentsColumns&) = nullptr;
+  void (*principal_moments_of_one)(MomentsOfOne&, bool sharp, bool with_axes) = nullptr;
 
   // mass_sums.h
   SumPoints sum_points = nullptr;
@@ -47,7 +50,11 @@ struct LaneKernels {
 /// empty.
 [[nodiscard]] const std::vector<const LaneKernels*>& runnable_lane_kernels();
 
-/// The widest of them.
+/// The set of that name if this machine can run it, else the widest.
+[[nodiscard]] const LaneKernels& lane_kernels_named(std::string_view instruction_set);
+
+/// Those that the environment variable RIGOR_INSTRUCTION_SET names, the widest without one: to measure, and
+/// to get the last bits of plain sums that another machine gets.
 [[nodiscard]] const LaneKernels& lane_kernels();
 
 }  // namespace rigor

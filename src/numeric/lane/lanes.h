@@ -30,6 +30,10 @@ using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
 /// All bits of a lane set: true. None: false.
 using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
 
+/// Four parts of one problem, where registers hold four.
+using Quad = double __attribute__((vector_size(32)));
+using QuadMask = std::int64_t __attribute__((vector_size(32)));
+
 /// The comparison of two T, which `select` takes.
 template <class T>
 struct MaskOf;
@@ -122,6 +126,9 @@ RIGOR_INLINE Lanes fused(Lanes a, Lanes b, Lanes c) {
   return _mm_fmadd_pd(a, b, c);
 #endif
 }
+#if RIGOR_LANES == 8
+RIGOR_INLINE Quad fused(Quad a, Quad b, Quad c) { return _mm256_fmadd_pd(a, b, c); }
+#endif
 /// a b − p for p = fl(a b): exact unless it underflows.
 template <class T>
 RIGOR_INLINE T rest_of_product(T a, T b, T p) {

@@ -3,15 +3,17 @@
 // `Lanes`.
 //
 // The textbook: eigenvalues q + 2p cos(θ + 2πk/3), gaps as their differences. Here:
-// * a − s 1, s ≈ tr(a)/3, entry by entry exactly in two parts, times a power of two: b;
+// * a − s 1, s the middle one of the a_ii, entry by entry exactly in two parts, times a power of two: b;
 // * S = MᵀbM in double-double, nearly diagonal, M a rotation exactly: `nearly_diagonal_lanes.h`;
 // * the separate eigenvalue is decoupled to second order, the pair is a 2×2 problem whose gap √(δ² + 4o²)
 //   has no cancellation.
-// The absolute error of eigenvalues and gaps is at most `moments_rounding` v |b|, v = 2^-106; lanes in which
-// that is not small compared with a result say so: see `MomentsState`. That bound is not proved: 39 v was the
+// The absolute error of eigenvalues and gaps is at most `moments_rounding` v |b|, v = 2^-106. Where that is
+// not small compared with the gap of the pair, `close_pair_lanes.h` takes the pair up again. Lanes in which a
+// result is not good then say so: see `MomentsState`. That bound is not proved: 39 v was the
 // worst in 3e5 tensors of all kinds. Cost: some 730 operations, 4 divisions and 6 roots; axes 100 more.
 #pragma once
 
+#include "numeric/lane/close_pair_lanes.h"
 #include "numeric/lane/moments_columns.h"
 #include "numeric/lane/nearly_diagonal_lanes.h"
 
@@ -91,32 +93,36 @@ RIGOR_INLINE NearlyDiagonal<T> solved(const NearlyDiagonalTensor<T>& s) {
   return r;
 }
 
-/// In the order of the eigenvalues, first axes pointing to where their component of greatest size is
-/// positive.
+/// The axes that these angles make of the columns of M.
 template <class T>
-RIGOR_INLINE void set_axes(Eigensystem<T>& e, const Rotation<T>& m, const NearlyDiagonal<T>& d,
-                           Mask<T> exchanged, Mask<T> separate_first) {
+RIGOR_INLINE Frame<T> frame_of(const Rotation<T>& m, const NearlyDiagonal<T>& d) {
   const T norm = 1 - 0.5 * m.excess;  // 1/|q|²
   const T cosine = 1 / root(1 + d.tangent * d.tangent);
   const T sine = cosine * d.tangent;
-  T pair[2][3];
-  T separate[3];
+  Frame<T> f;
   for (int i = 0; i < 3; ++i) {
     const T x = m.column[0][i].high;
     const T y = m.column[1][i].high;
     const T z = m.column[2][i].high;
     const T turned_x = norm * (x + z * d.towards[0]);
     const T turned_y = norm * (y + z * d.towards[1]);
-    separate[i] = norm * (z - (x * d.towards[0] + y * d.towards[1]));
-    pair[0][i] = cosine * turned_x + sine * turned_y;
-    pair[1][i] = cosine * turned_y - sine * turned_x;
+    f.separate[i] = norm * (z - (x * d.towards[0] + y * d.towards[1]));
+    f.pair[0][i] = cosine * turned_x + sine * turned_y;
+    f.pair[1][i] = cosine * turned_y - sine * turned_x;
   }
+  return f;
+}
+
+/// In the order of the eigenvalues, first axes pointing to where their component of greatest size is
+/// positive.
+template <class T>
+RIGOR_INLINE void set_axes(Eigensystem<T>& e, const Frame<T>& f, Mask<T> exchanged, Mask<T> separate_first) {
   for (int i = 0; i < 3; ++i) {
-    const T low = select(exchanged, pair[1][i], pair[0][i]);
-    const T high = select(exchanged, pair[0][i], pair[1][i]);
-    e.axes[0][i] = select(separate_first, separate[i], low);
+    const T low = select(exchanged, f.pair[1][i], f.pair[0][i]);
+    const T high = select(exchanged, f.pair[0][i], f.pair[1][i]);
+    e.axes[0][i] = select(separate_first, f.separate[i], low);
     e.axes[1][i] = select(separate_first, low, high);
-    e.axes[2][i] = select(separate_first, high, separate[i]);
+    e.axes[2][i] = select(separate_first, high, f.separate[i]);
   }
   for (int k = 0; k < 2; ++k) {
     T peak = e.axes[k][0];
@@ -148,11 +154,19 @@ RIGOR_INLINE DoubleDouble<T> without_negligible(DoubleDouble<T> x) {
   return {select(absolute(x.high) < negligible, T{}, x.high), x.low};
 }
 
+template <class T>
+RIGOR_INLINE T middle(T a, T b, T c) {
+  const auto ordered = a < b;
+  const T low = select(ordered, a, b);
+  const T high = select(ordered, b, a);
+  return select(c < low, low, select(c > high, high, c));
+}
+
 /// `sharp`: the low parts of `a` count.
 template <bool sharp, class T>
 RIGOR_INLINE Reduced<T> reduced(SymmetricTensor<T> a) {
   Reduced<T> r;
-  r.shift = (a.diagonal[0].high + a.diagonal[1].high + a.diagonal[2].high) * (1. / 3);
+  r.shift = middle(a.diagonal[0].high, a.diagonal[1].high, a.diagonal[2].high);
   for (int i = 0; i < 3; ++i) {
     const DoubleDouble<T> high = exact_difference(a.diagonal[i].high, r.shift);
     a.diagonal[i] = sharp ? high + a.diagonal[i].low : high;
@@ -174,40 +188,121 @@ RIGOR_INLINE DoubleDouble<T> select(M mask, DoubleDouble<T> a, DoubleDouble<T> b
   return {select(mask, a.high, b.high), select(mask, a.low, b.low)};
 }
 
+/// Whether a is shift 1 + b power exactly.
+template <class T>
+RIGOR_INLINE Mask<T> is_exact(const Reduced<T>& r, const SymmetricTensor<T>& a) {
+  auto holds = all<T>(0) == 0;
+  for (int i = 0; i < 3; ++i) {
+    const DoubleDouble<T> d = exact_difference(a.diagonal[i].high, r.shift);
+    holds = holds & (a.diagonal[i].low == 0) & (a.off[i].low == 0) & (d.low == 0) &
+            (d.high == r.b.diagonal[i].high * r.power) & (a.off[i].high == r.b.off[i].high * r.power);
+  }
+  return holds;
+}
+
+/// Of b, from a.
+template <class T>
+RIGOR_INLINE ExactDiagonal<T> exact_diagonal(const SymmetricTensor<T>& a, const Reduced<T>& r) {
+  const T factor = inverse_power(r.power);
+  ExactDiagonal<T> d;
+  for (int i = 0; i < 3; ++i) {
+    const DoubleDouble<T> high = exact_difference(a.diagonal[i].high, r.shift);
+    d.first[i] = high.high * factor;
+    d.second[i] = high.low * factor;
+    d.third[i] = a.diagonal[i].low * factor;
+  }
+  return d;
+}
+
+/// The pair once more, where its gap is small: how well it is known then.
+template <class T>
+struct Sharpened {
+  Mask<T> good;   // the gap stands out of the errors
+  Mask<T> equal;  // the gap is 0, and the eigenvalues of the pair are exact
+};
+
+/// In the lanes of `small`; `frame` and `d` are replaced where that does better.
+template <bool sharp, class T>
+RIGOR_INLINE Sharpened<T> sharpen(const SymmetricTensor<T>& a, const Reduced<T>& r, Mask<T> small,
+                                  NearlyDiagonal<T>& d, Frame<T>& frame) {
+  DoubleDouble<T> mean = exact_sum(d.values[0].high, d.values[0].low);
+  mean = mean + exact_sum(d.values[1].high, d.values[1].low);
+  mean = {mean.high * 0.5, mean.low * 0.5};
+  // An eigenvalue 0 is 0 but for rounding errors; it then takes one double, as the others do that take few
+  // bits.
+  const auto zero = absolute(mean.high) < 0x1p-98;
+  mean = {select(zero, T{}, mean.high), select(zero, mean.high, mean.low)};
+  const T apart = d.values[2].high - mean.high;
+  const ClosePair<T> pair = close_pair<sharp>(exact_diagonal(a, r), r.b, frame, mean, apart);
+
+  Sharpened<T> result;
+  const auto usable = small & (absolute(apart) >= 0.25);
+  result.good = usable & (absolute(pair.difference) * good_beside >= close_pair_rounding) &
+                (absolute(pair.difference) * r.power * good_beside >= rounding_of_tiny);
+  result.equal = usable & negation(result.good);
+  if (any(result.equal)) result.equal = result.equal & is_exact(r, a) & is_rank_one(r.b, mean.high);
+  for (int p = 0; p < 2; ++p) {
+    const T half = (p == 0 ? 0.5 : -0.5) * pair.difference;
+    const DoubleDouble<T> value = {mean.high, mean.low + (pair.middle + half)};
+    d.values[p] = select(result.good, value, d.values[p]);
+    d.values[p] = select(result.equal, {mean.high, T{}}, d.values[p]);
+    for (int i = 0; i < 3; ++i)
+      frame.pair[p][i] = select(result.good, pair.frame.pair[p][i], frame.pair[p][i]);
+  }
+  for (int i = 0; i < 3; ++i)
+    frame.separate[i] = select(result.good, pair.frame.separate[i], frame.separate[i]);
+  d.difference = select(result.equal, T{}, select(result.good, pair.difference, d.difference));
+  return result;
+}
+
 /// `s` is MᵀbM. `with_axes`: the axes are computed.
-template <bool with_axes, class T>
-RIGOR_INLINE Eigensystem<T> eigensystem(const Reduced<T>& r, const Rotation<T>& m,
-                                        const NearlyDiagonalTensor<T>& s) {
-  const NearlyDiagonal<T> d = solved(s);
+template <bool sharp, bool with_axes, class T>
+RIGOR_INLINE Eigensystem<T> eigensystem(const SymmetricTensor<T>& a, const Reduced<T>& r,
+                                        const Rotation<T>& m, const NearlyDiagonalTensor<T>& s) {
+  NearlyDiagonal<T> d = solved(s);
+  const T less = m.excess - m.excess * m.excess;  // 1 − 1/|q|⁴
+  for (DoubleDouble<T>& value : d.values) value.low = value.low - value.high * less;
+  d.difference = d.difference - d.difference * less;
+  const T bound = all<T>(moments_rounding * 0x1p-106);
+  auto small_gap =
+      negation(absolute(d.difference) * r.power * good_beside >= bound * r.power + rounding_of_tiny);
+  auto exact = all<T>(0) > 0;
+  Frame<T> frame;
+  if constexpr (with_axes) frame = frame_of(m, d);
+  if (any(small_gap)) {
+    if constexpr (!with_axes) frame = frame_of(m, d);
+    const Sharpened<T> sharpened = sharpen<sharp>(a, r, small_gap, d, frame);
+    exact = sharpened.equal;
+    small_gap = small_gap & negation(sharpened.good | exact);
+  }
+
   const auto exchanged = d.difference > 0;
   const auto separate_first = d.values[2].high < d.values[0].high;
-  const DoubleDouble<T> low = select(exchanged, d.values[1], d.values[0]);
-  const DoubleDouble<T> high = select(exchanged, d.values[0], d.values[1]);
   const T gap = absolute(d.difference);
-  const T other = absolute(difference_of(d.values[2], select(separate_first, low, high)));
-  Eigensystem<T> e;
-  e.gaps[0] = select(separate_first, other, gap);
-  e.gaps[1] = select(separate_first, gap, other);
-  e.values[0] = select(separate_first, d.values[2], low);
-  e.values[1] = select(separate_first, low, high);
-  e.values[2] = select(separate_first, high, d.values[2]);
-
-  const T less = m.excess - m.excess * m.excess;  // 1 − 1/|q|⁴
-  const T bound = all<T>(moments_rounding * 0x1p-106);
   auto small = all<T>(0) > 0;
+  DoubleDouble<T> values[3];
   for (int k = 0; k < 3; ++k) {
-    const DoubleDouble<T> v = e.values[k];
+    const DoubleDouble<T> v = d.values[k];
     const DoubleDouble<T> sum = exact_sum(r.shift, v.high * r.power);
-    e.values[k] = normalised(sum.high, sum.low + (v.low - v.high * less) * r.power);
-    small = small | negation(absolute(e.values[k].high) * good_beside >=
-                             bound * (r.power + absolute(r.shift)) + rounding_of_tiny);
+    values[k] = normalised(sum.high, sum.low + v.low * r.power);
+    const auto lost = negation(absolute(values[k].high) * good_beside >=
+                               bound * (r.power + absolute(r.shift)) + rounding_of_tiny);
+    small = small | (k < 2 ? lost & negation(exact) : lost);
   }
-  for (int k = 0; k < 2; ++k) e.gaps[k] = (e.gaps[k] - e.gaps[k] * less) * r.power;
-  e.state = select(negation(gap * r.power * good_beside >= bound * r.power + rounding_of_tiny),
-                   all<T>(MomentsState::small_gap), T{}) +
+  const DoubleDouble<T> low = select(exchanged, values[1], values[0]);
+  const DoubleDouble<T> high = select(exchanged, values[0], values[1]);
+  const T other =
+      absolute(difference_of(d.values[2], select(exchanged != separate_first, d.values[0], d.values[1])));
+  Eigensystem<T> e;
+  e.gaps[0] = select(separate_first, other, gap) * r.power;
+  e.gaps[1] = select(separate_first, gap, other) * r.power;
+  e.values[0] = select(separate_first, values[2], low);
+  e.values[1] = select(separate_first, low, high);
+  e.values[2] = select(separate_first, high, values[2]);
+  e.state = select(small_gap, all<T>(MomentsState::small_gap), T{}) +
             select(small, all<T>(MomentsState::small_moment), T{});
   e.state = select(r.wrong | d.wrong, all<T>(MomentsState::lost), e.state);
-  if constexpr (with_axes) set_axes(e, m, d, exchanged, separate_first);
+  if constexpr (with_axes) set_axes(e, frame, exchanged, separate_first);
   return e;
 }
 
@@ -250,12 +345,43 @@ RIGOR_INLINE void store_at(const MomentsColumns& c, std::size_t at, const Eigens
   store(c.state + at, e.state);
 }
 
+template <bool sharp, bool with_axes, class T>
+RIGOR_INLINE Eigensystem<T> solved_of(const SymmetricTensor<T>& a) {
+  const Reduced<T> r = reduced<sharp>(a);
+  const Rotation<T> m = rotation_of(nearly_diagonalising(r.b));
+  return eigensystem<sharp, with_axes>(a, r, m, transformed<sharp>(r.b, m));
+}
+
 /// The tensors from `at` on, as many as T holds.
 template <bool sharp, bool with_axes, class T>
 RIGOR_INLINE void solve_at(const MomentsColumns& c, std::size_t at) {
-  const Reduced<T> r = reduced<sharp>(tensor_at<sharp, T>(c, at));
-  const Rotation<T> m = rotation_of(nearly_diagonalising(r.b));
-  store_at<with_axes>(c, at, eigensystem<with_axes>(r, m, transformed<sharp>(r.b, m)));
+  store_at<with_axes>(c, at, solved_of<sharp, with_axes>(tensor_at<sharp, T>(c, at)));
+}
+
+template <bool sharp, bool with_axes>
+void solve_one(MomentsOfOne& one) {
+  SymmetricTensor<double> a;
+  for (int i = 0; i < 3; ++i) {
+    a.diagonal[i] = {one.diagonal[i], sharp ? one.diagonal_low[i] : 0};
+    a.off[i] = {one.off[i], sharp ? one.off_low[i] : 0};
+  }
+  const Eigensystem<double> e = solved_of<sharp, with_axes>(a);
+  for (int k = 0; k < 3; ++k) {
+    one.moments[k] = e.values[k].high;
+    one.moments_low[k] = e.values[k].low;
+    for (int i = 0; with_axes && i < 3; ++i) one.axes[k][i] = e.axes[k][i];
+  }
+  for (int k = 0; k < 2; ++k) one.gaps[k] = e.gaps[k];
+  one.state = e.state;
+}
+
+/// `sharp`: the low parts count.
+inline void principal_moments_of_one(MomentsOfOne& one, bool sharp, bool with_axes) {
+  if (with_axes) {
+    sharp ? solve_one<true, true>(one) : solve_one<false, true>(one);
+  } else {
+    sharp ? solve_one<true, false>(one) : solve_one<false, false>(one);
+  }
 }
 
 template <bool sharp, bool with_axes>

@@ -74,7 +74,8 @@ RIGOR_INLINE Separate<T> separate_axis(const SymmetricTensor<T>& b) {
   const T p = root(squares * (1. / 6));  // eigenvalues p (2 cos …)
   T determinant = 2 * (c.off[0] * c.off[1] * c.off[2]) + c.diagonal[0] * c.diagonal[1] * c.diagonal[2];
   for (int i = 0; i < 3; ++i) determinant = determinant - c.diagonal[i] * (c.off[i] * c.off[i]);
-  const T r = quotient(determinant * 3, squares * p);  // det/(2 p³)
+  const T inverse = quotient(all<T>(1), squares);            // of 6p², beside the root and not behind it
+  const T r = (determinant * inverse) * (inverse * p * 18);  // det/(2 p³)
   const T value = with_sign(greatest_cubic_root(absolute(r)) * p, r);
 
   T d[3];
@@ -132,15 +133,18 @@ RIGOR_INLINE Quaternion<T> nearly_diagonalising(const SymmetricTensor<T>& b) {
   }
   // φ, |φ| ≤ π/4, is the rotation about the axis that makes ef vanish: (|half| + l, ef) has the direction φ,
   // where l = √(half² + ef²), and its sum with its length along x has the direction φ/2.
+  // With H = √(towards² + ef²) = √(2 l towards) the square of q is 4 |axis| h H (towards + H).
   const T half = (ee - ff) * 0.5;
-  const T towards = absolute(half) + root(half * half + ef * ef);
-  const T cosine = towards + root(towards * towards + ef * ef);
+  const T hypotenuse = root(half * half + ef * ef);
+  const T towards = absolute(half) + hypotenuse;
+  const T sum_length = root(2 * (hypotenuse * towards));
+  const T cosine = towards + sum_length;
   const T sine = with_sign(all<T>(1), half) * ef;
   const auto round = cosine == 0;
   const T w = select(round, all<T>(1), cosine);
-  const Quaternion<T> q = {h * w, x * sine - y * w, x * w + y * sine, h * sine};
-  const T norm = quotient(all<T>(1), root(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z));
-  return {q.w * norm, q.x * norm, q.y * norm, q.z * norm};
+  const T square = 4 * (length * h) * select(round, all<T>(0.5), sum_length * w);
+  const T norm = quotient(all<T>(1), root(square));
+  return {(h * w) * norm, (x * sine - y * w) * norm, (x * w + y * sine) * norm, (h * sine) * norm};
 }
 
 /// The rotation matrix of q times |q|², by columns, and |q|⁴ − 1.
@@ -193,6 +197,56 @@ struct NearlyDiagonalTensor {
   T pair;
   T separate[2];
 };
+
+#if RIGOR_LANES >= 4
+/// Of one tensor: the same operations, three columns and the product of the first two at once.
+template <bool sharp>
+RIGOR_INLINE NearlyDiagonalTensor<double> transformed(const SymmetricTensor<double>& b,
+                                                      const Rotation<double>& m) {
+  using Both = DoubleDouble<Quad>;
+  const auto of_columns = [&](int l) RIGOR_INLINE_LAMBDA {
+    return Both{Quad{m.column[0][l].high, m.column[1][l].high, m.column[2][l].high, m.column[0][l].high},
+                Quad{m.column[0][l].low, m.column[1][l].low, m.column[2][l].low, m.column[0][l].low}};
+  };
+  const auto everywhere = [](DoubleDouble<double> x) RIGOR_INLINE_LAMBDA {
+    return Both{all<Quad>(x.high), all<Quad>(x.low)};
+  };
+  const auto second_last = [](Quad x) RIGOR_INLINE_LAMBDA {
+    return __builtin_shuffle(x, QuadMask{0, 1, 2, 1});
+  };
+  const Both left[3] = {of_columns(0), of_columns(1), of_columns(2)};
+  Both right[3];
+  for (int l = 0; l < 3; ++l) right[l] = {second_last(left[l].high), second_last(left[l].low)};
+  Both bm[3];
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    CompensatedSum<Quad> sum = sum_of(raw_product(right[i], everywhere(b.diagonal[i])));
+    if constexpr (sharp) {
+      sum.add(raw_product(right[j], everywhere(b.off[k])));
+      sum.add(raw_product(right[k], everywhere(b.off[j])));
+    } else {
+      sum.add(raw_product(right[j], all<Quad>(b.off[k].high)));
+      sum.add(raw_product(right[k], all<Quad>(b.off[j].high)));
+    }
+    bm[i] = sum.raw();
+  }
+  CompensatedSum<Quad> products = sum_of(raw_product(left[0], bm[0]));
+  for (int l = 1; l < 3; ++l) products.add(raw_product(left[l], bm[l]));
+  NearlyDiagonalTensor<double> s;
+  for (int i = 0; i < 3; ++i) s.diagonal[i] = {products.high[i], products.low[i]};
+  s.pair = products.high[3] + products.low[3];
+  s.separate[0] = 0;
+  s.separate[1] = 0;
+  for (int l = 0; l < 3; ++l) {
+    const DoubleDouble<double> along = exact_product(m.column[2][l].high, s.diagonal[2].high);
+    const double rest =
+        (bm[l].high[2] - along.high) + (bm[l].low[2] - (along.low + m.column[2][l].low * s.diagonal[2].high));
+    for (int i = 0; i < 2; ++i) s.separate[i] = s.separate[i] + m.column[i][l].high * rest;
+  }
+  return s;
+}
+#endif
 
 template <bool sharp, class T>
 RIGOR_INLINE NearlyDiagonalTensor<T> transformed(const SymmetricTensor<T>& b, const Rotation<T>& m) {

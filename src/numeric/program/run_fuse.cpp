@@ -46,14 +46,16 @@ class Fusion {
   }
   [[nodiscard]] bool is_square(ValueId id) const { return at(id).a == at(id).b; }
 
-  /// A product's operands, the wide one first.
+  /// Of a product, the wide one first.
+  [[nodiscard]] std::array<ValueId, 2> factors(ValueId product) const {
+    const ValueId a = at(product).a;
+    const ValueId b = at(product).b;
+    if (scope_.wide[b] && !scope_.wide[a]) return {b, a};
+    return {a, b};
+  }
   void append_product(FusedStep& step, ValueId product) {
     taken_in_[product] = 1;
-    ValueId a = at(product).a;
-    ValueId b = at(product).b;
-    if (scope_.wide[b] && !scope_.wide[a]) std::swap(a, b);
-    step.in[step.operands++] = a;
-    step.in[step.operands++] = b;
+    for (const ValueId factor : factors(product)) step.in[step.operands++] = factor;
   }
 
   [[nodiscard]] FusedStep plain() const {
@@ -174,8 +176,45 @@ class Fusion {
     for (const ValueId each : product) append_product(step, each);
     step.kernel = Kernel::product_sum_3;
     if (squares != 3) return true;
-    step = {Kernel::square_sum_3, 3, {step.in[0], step.in[2], step.in[4]}};
+    const std::array<ValueId, 3> squared{step.in[0], step.in[2], step.in[4]};
+    if (!cross_square(step, squared)) step = {Kernel::square_sum_3, 3, {squared[0], squared[1], squared[2]}};
     return true;
+  }
+
+  /// The squared components of a cross product, each computed for its square only, if all factors are wide,
+  /// or those of one vector. (a b − c d)² = (c d − a b)², exactly: so the vectors may stand in either order.
+  [[nodiscard]] bool cross_square(FusedStep& step, const std::array<ValueId, 3>& squared) {
+    const bool wide = scope_.wide[value_] != 0;
+    std::array<std::array<ValueId, 2>, 3> products{};
+    int both_wide = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Value& difference = at(squared[k]);
+      if (!scope_.is_private_to_square(squared[k], Instruction::subtract, wide)) return false;
+      products[k] = {difference.a, difference.b};
+      if (difference.a == difference.b) return false;
+      for (const ValueId product : products[k]) {
+        if (!is_private(product, Instruction::multiply)) return false;
+        both_wide += scope_.wide[at(product).a] && scope_.wide[at(product).b] ? 1 : 0;
+      }
+    }
+    if (wide && both_wide != 0 && both_wide != 6) return false;
+    for (const std::size_t first : {0U, 1U}) {
+      // Of x y − z w the four factors.
+      std::array<std::array<ValueId, 4>, 3> f{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto left = factors(products[k][first]);
+        const auto right = factors(products[k][1 - first]);
+        f[k] = {left[0], left[1], right[0], right[1]};
+      }
+      if (f[0][2] != f[1][0] || f[1][2] != f[2][0] || f[2][2] != f[0][0] || f[0][1] != f[1][3] ||
+          f[0][3] != f[2][1] || f[1][1] != f[2][3])
+        continue;
+      for (std::size_t k = 0; k < 3; ++k)
+        taken_in_[squared[k]] = taken_in_[products[k][0]] = taken_in_[products[k][1]] = 1;
+      step = {Kernel::cross_square, 6, {f[0][0], f[0][2], f[1][2], f[0][1], f[0][3], f[1][1]}};
+      return true;
+    }
+    return false;
   }
 
   const FusionScope& scope_;

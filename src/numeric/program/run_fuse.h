@@ -28,7 +28,16 @@ struct FusionScope {
 
   /// Is it computed in this block, wide as its user, for nothing but it?
   [[nodiscard]] bool is_private(ValueId value, Instruction op, bool user_is_wide) const {
-    return code->values[value].op == op && uses[value] == 1 && block[value] == current &&
+    return is_used(value, op, user_is_wide, 1);
+  }
+  /// The same of a value and its square, where the square is private.
+  [[nodiscard]] bool is_private_to_square(ValueId value, Instruction op, bool user_is_wide) const {
+    return is_used(value, op, user_is_wide, 2);
+  }
+
+ private:
+  [[nodiscard]] bool is_used(ValueId value, Instruction op, bool user_is_wide, std::uint32_t times) const {
+    return code->values[value].op == op && uses[value] == times && block[value] == current &&
            (wide[value] != 0) == user_is_wide;
   }
 };

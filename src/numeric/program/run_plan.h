@@ -3,7 +3,7 @@
 // samples, or particles of the loops at level 1 (for a few samples with many particles). What depends on no
 // sample is computed once, with lanes of particles, before all samples. A value is computed in the outermost
 // loop in which its operands are known; sums at one level that do not wait for each other share a loop.
-// Two or three operations become one step where the first one's result has no other use: no rounding is left
+// Up to eleven operations become one step where the first one's result has no other use: no rounding is left
 // out or moved. A register is free again after its last use.
 #pragma once
 
@@ -40,6 +40,7 @@ enum class Kernel : std::uint8_t {
   product_difference,  // a b − c d
   product_sum_3,       // (a b + c d) + e f
   square_sum_3,        // (a a + b b) + c c
+  cross_square,        // ((a d − b e)² + (b f − c d)²) + (c e − a f)²
   product_3,           // (a b) c
   triple_sum_3,        // ((a b) c ± (d e) f) ± (g h) i
   add_triple_sum_3,    // ((s ± (a b) c) ± (d e) f) ± (g h) i

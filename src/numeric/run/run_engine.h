@@ -20,6 +20,10 @@ struct BoundInput {
   std::size_t particle_stride = 0;
 };
 
+inline constexpr std::size_t cache_line = 64;  // which no load of the widest lanes may straddle, for speed
+template <class T>
+inline constexpr std::size_t numbers_in_a_line = NumberTraits<T>::has_lanes ? cache_line / sizeof(T) : 0;
+
 /// Can all results be written as packets?
 template <class T>
 [[nodiscard]] bool is_aligned(const T* results, std::size_t stride) {
@@ -40,8 +44,11 @@ class Engine {
     std::size_t buffers = plan_.lanes == Lanes::samples ? plan_.outputs : 0;
     for (const PlanInput& input : plan_.inputs) buffers += input.wide ? 1 : 0;
     const std::size_t narrow = plan_.narrow_registers + plan_.constants.size();
-    numbers_.assign((plan_.wide_registers + buffers) * width + narrow, T(0));
+    numbers_.assign((plan_.wide_registers + buffers) * width + narrow + numbers_in_a_line<T>, T(0));
     T* next = numbers_.data();
+    while (reinterpret_cast<std::uintptr_t>(next) % cache_line != 0 &&
+           next != numbers_.data() + numbers_in_a_line<T>)
+      ++next;
     std::size_t slot = 0;
     for (std::size_t i = 0; i < plan_.wide_registers; ++i, next += width) slots_[slot++] = next;
     T* wide_buffer = next;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One function for each step and each choice of wide operands, over Eigen arrays of `lane_count` numbers. A
+// One function for each step and each choice of wide operands, over Eigen arrays of `lane_count` numbers; on
+// doubles those of `run_steps.h`, where there is one. A
 // fused step rounds after each of its operations, as separate steps would: the floor is compiled without
 // contraction into fused multiply-add instructions. Results may overwrite operands: all is lane by lane.
 #pragma once
@@ -8,16 +9,10 @@
 #include <type_traits>
 
 #include "base/check.h"
-#include "numeric/program/run_plan.h"
 #include "numeric/run/run_numbers.h"
+#include "numeric/run/run_steps.h"
 
 namespace rigor {
-
-inline constexpr int lane_count = 128;
-
-/// `lanes`: how many of them count, in steps over lanes.
-template <class T>
-using StepFunction = void (*)(T* const* slots, const PlanStep& step, int lanes);
 
 namespace kernels {
 
@@ -44,6 +39,16 @@ template <Kernel kernel, class T>
   if constexpr (kernel == Kernel::sinh) return NumberTraits<T>::hyperbolic_sine(x);
   if constexpr (kernel == Kernel::cosh) return NumberTraits<T>::hyperbolic_cosine(x);
   if constexpr (kernel == Kernel::tanh) return NumberTraits<T>::hyperbolic_tangent(x);
+}
+
+/// Each operand is computed once.
+template <class T, class Value>
+[[nodiscard]] auto square_of(const Value& value) {
+  if constexpr (std::is_same_v<Value, T>) {
+    return T(value * value);
+  } else {
+    return value.square();
+  }
 }
 
 template <class T, bool wide, class Value>
@@ -108,6 +113,10 @@ void run(T* const* slots, const PlanStep& step, int lanes) {
     store<T, to_wide>(out, (X(0) * X(1) + X(2) * X(3)) + X(4) * X(5));
   if constexpr (kernel == Kernel::square_sum_3)
     store<T, to_wide>(out, (X(0) * X(0) + X(1) * X(1)) + X(2) * X(2));
+  if constexpr (kernel == Kernel::cross_square)
+    store<T, to_wide>(out,
+                      (square_of<T>(X(0) * X(3) - X(1) * X(4)) + square_of<T>(X(1) * X(5) - X(2) * X(3))) +
+                          square_of<T>(X(2) * X(4) - X(0) * X(5)));
   if constexpr (kernel == Kernel::product_3) store<T, to_wide>(out, (X(0) * X(1)) * X(2));
   if constexpr (kernel == Kernel::triple_sum_3)
     store<T, to_wide>(out, (X(0) * S(1, 0) * X(2) + X(3) * S(4, 1) * X(5)) + X(6) * S(7, 2) * X(8));
@@ -120,8 +129,6 @@ void run(T* const* slots, const PlanStep& step, int lanes) {
   if constexpr (kernel >= Kernel::absolute && kernel <= Kernel::tanh) {
     if constexpr (!to_wide) {
       *out = function_of<kernel>(X(0));
-    } else if constexpr (kernel == Kernel::root && std::is_same_v<T, double>) {
-      store<T, true>(out, X(0).sqrt());  // rounded correctly; Eigen's for float is not
     } else {
       store<T, true>(out, X(0).unaryExpr([](const T& x) { return function_of<kernel>(x); }));
     }
@@ -130,11 +137,17 @@ void run(T* const* slots, const PlanStep& step, int lanes) {
 #undef S
 }
 
+/// Doubles have their own functions, but for those of the standard library.
+template <class T, Kernel kernel>
+inline constexpr bool is_here = NumberTraits<T>::has_lanes &&
+                                (!std::is_same_v<T, double> ||
+                                 (kernel >= Kernel::sin && kernel <= Kernel::tanh));
+
 template <class T, Kernel kernel, unsigned... choices>
 [[nodiscard]] StepFunction<T> choose(unsigned wide) {
   StepFunction<T> chosen = nullptr;
   if (wide == 0) return &run<T, kernel, 0>;
-  if constexpr (NumberTraits<T>::has_lanes)
+  if constexpr (is_here<T, kernel>)
     static_cast<void>(((wide == choices ? (chosen = &run<T, kernel, choices>, true) : false) || ...));
   RIGOR_CHECK(chosen != nullptr, static_cast<int>(kernel), wide);
   return chosen;
@@ -143,6 +156,9 @@ template <class T, Kernel kernel, unsigned... choices>
 /// Operands are wide in the order in which `run_fuse.h` puts them.
 template <class T>
 [[nodiscard]] StepFunction<T> function_for(const PlanStep& step) {
+  if constexpr (std::is_same_v<T, double>) {
+    if (const StepFunction<double> found = wide_steps()(step)) return found;
+  }
 // For these choices of what is wide, and for nothing wide.
 #define CASE(kernel, ...) \
   case Kernel::kernel:    \
@@ -171,13 +187,14 @@ template <class T>
     CASE(product_difference, 0x8005, 0x8007, 0x800d, 0x800f);
     CASE(product_sum_3, 0x8015, 0x803f);
     CASE(square_sum_3, 0x8007);
+    CASE(cross_square, 0x8007, 0x803f);
     CASE(product_3, 0x8001, 0x8003, 0x8005, 0x8007);
     CASE(triple_sum_3, 0x816d);
     CASE(add_triple_sum_3, 0x82db);
     CASE(accumulate, 0x8000, 0x8001);
     CASE(accumulate_product, 0x8001, 0x8003);
     case Kernel::fold:
-      if constexpr (NumberTraits<T>::has_lanes) return &run<T, Kernel::fold, 1>;
+      if constexpr (is_here<T, Kernel::fold>) return &run<T, Kernel::fold, 1>;
       break;
     case Kernel::loop:
       break;

@@ -170,6 +170,45 @@ InertiaTensor any_body(SplitMix& bits) {
   }
 }
 
+/// Bodies with two equal moments, and a link of a robot is one, in any attitude: the doubles that hold them
+/// have three different moments.
+InertiaTensor turned_cylinder(SplitMix& bits) {
+  const Digits50 square = 1 - uniform(bits);        // of the radius
+  const Digits50 height = 4 * (1 - uniform(bits));  // squared
+  const Digits50 across = square / 4 + height / 12;
+  return turned({across, across, square / 2}, random_rotation(bits));
+}
+
+/// Of an aspect between 1e-3 and 1e-7.
+InertiaTensor turned_rod(SplitMix& bits) {
+  constexpr std::array aspects{1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
+  const Digits50 aspect = aspects[bits.below(aspects.size())] * (1 - Digits50(uniform(bits)) / 2);
+  const Digits50 square = aspect * aspect;
+  const Digits50 across = square / 4 + Digits50(1) / 12;
+  return turned({across, across, square / 2}, random_rotation(bits));
+}
+
+InertiaTensor turned_sphere(SplitMix& bits) {
+  const Digits50 moment = 1 - uniform(bits);
+  return turned({moment, moment, moment}, random_rotation(bits));
+}
+
+/// Moments and sines of the attitude are doubles of few bits: two moments are equal exactly.
+InertiaTensor cylinder_by_eighths(SplitMix& bits) {
+  const double across = 1 + static_cast<double>(bits.below(64));
+  const double along = 1 + static_cast<double>(bits.below(64));
+  std::array<double, 3> axis{};
+  const std::size_t first = bits.below(3);
+  axis[first] = 1;
+  if (bits.below(2) == 0) axis[(first + 1) % 3] = bits.below(2) == 0 ? 1 : -1;
+  const double square = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
+  InertiaTensor tensor{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      tensor[i][j] = (i == j ? across : 0) + (along - across) * axis[i] * axis[j] / square;
+  return tensor;
+}
+
 InertiaTensor scaled(InertiaTensor tensor, int power) {
   for (Position& row : tensor)
     for (double& x : row) x = std::ldexp(x, power);
@@ -221,7 +260,31 @@ std::vector<MomentFamily> moment_families(std::size_t count) {
   add_scaled("1e300", 997);
   add_scaled("1e-300", -997);
   add_scaled("subnormal", -1045);
+  add("turned cylinders", turned_cylinder);
+  add("turned rods", turned_rod);
+  add("turned spheres", turned_sphere);
+  add("eighths of a turn", cylinder_by_eighths);
+  for (const char* gap : {"1e-13", "1e-14", "1e-16"})
+    add(std::string("gap ") + gap, [=](SplitMix& bits) { return nearly_symmetric(bits, std::stod(gap)); });
   return families;
+}
+
+std::vector<SharpTensor> close_pairs(double gap, std::size_t count) {
+  std::vector<SharpTensor> tensors(count);
+  SplitMix bits(count);
+  for (SharpTensor& tensor : tensors) {
+    const std::array<Digits50, 3> moments = {1, 1 + Digits50(gap), 2 * uniform(bits)};
+    const Rotation m = random_rotation(bits);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        Digits50 sum = 0;
+        for (std::size_t k = 0; k < 3; ++k) sum += m[i][k] * moments[k] * m[j][k];
+        const auto high = static_cast<double>(sum);
+        tensor[i][j] = tensor[j][i] = {high, static_cast<double>(Digits50(sum - high))};
+      }
+    }
+  }
+  return tensors;
 }
 
 std::vector<InertiaTensor> unusable_tensors() {

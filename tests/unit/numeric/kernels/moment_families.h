@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "numeric/body/body.h"
+#include "numeric/kernels/high_low.h"
 #include "numeric/run/run_decimal.h"
 
 namespace rigor {
@@ -19,8 +20,11 @@ struct MomentFamily {
 /// `count` tensors a family: random bodies; gaps of two or of all moments from 1e-4 to 1e-15; integers with
 /// exactly equal moments, rods and plates of integers; zero, identity, diagonal, rank one; graded moments;
 /// thin rods; almost aligned axes; scales of 1e±150, 1e±300 and below the normal range; permuted and
-/// reflected axes.
+/// reflected axes; bodies of revolution in any attitude, and spheres.
 [[nodiscard]] std::vector<MomentFamily> moment_families(std::size_t count);
+
+/// Flat and long bodies of size 1, two moments of which differ by `gap`, rounded to 106 bits.
+[[nodiscard]] std::vector<SharpTensor> close_pairs(double gap, std::size_t count);
 
 /// A random body's tensor with one NaN or infinity in the lower triangle, at each place and of each kind.
 [[nodiscard]] std::vector<InertiaTensor> unusable_tensors();

@@ -239,8 +239,61 @@ TEST_CASE("many digits are needed for few tensors, and not for well separated mo
     if (family.name == "random bodies" || family.name == "gap 1e-4" || family.name == "gap 1e-12" ||
         family.name == "1 : 1e-4 : 1e-8")
       CHECK(hard == 0);
-    if (family.name == "equal integers") CHECK(hard > 48);
+    // Rods of no thickness.
+    if (family.name == "integer rods, plates") CHECK(hard > 24);
   }
+}
+
+TEST_CASE("bodies of revolution in any attitude are left to the lanes") {
+  for (const MomentFamily& family : moment_families(96)) {
+    const bool turned = family.name.rfind("turned ", 0) == 0 || family.name.rfind("gap 1e-1", 0) == 0;
+    if (!turned && family.name != "eighths of a turn" && family.name != "equal integers") continue;
+    SolvedMoments solved(family.tensors);
+    lane_kernels().principal_moments(solved.columns);
+    std::size_t left = 0;
+    std::size_t others = 0;
+    for (std::size_t at = 0; at < family.tensors.size(); ++at) {
+      const InertiaTensor& a = family.tensors[at];
+      if (a[1][0] == 0 && a[2][0] == 0 && a[2][1] == 0) continue;  // only sorted
+      ++others;
+      if (solved.columns.state[at] != MomentsState::good) ++left;
+    }
+    INFO(family.name << ": " << left << " of " << others);
+    // Of integers, some equal moments take more than 53 bits less the middle one of the diagonal.
+    CHECK(left <= (family.name == "equal integers" ? others / 4 : 0));
+  }
+}
+
+TEST_CASE("close gaps and their axes are good down to where the lanes give them up") {
+  std::size_t given_up = 0;
+  for (int power = 40; power < 100; ++power) {
+    const std::vector<SharpTensor> tensors = close_pairs(std::ldexp(1.25, -power), 16);
+    SolvedMoments lanes(tensors);
+    lane_kernels().principal_moments(lanes.columns);
+    SolvedMoments solved(tensors);
+    solve_principal_moments(solved.columns);
+    for (std::size_t at = 0; at < tensors.size(); ++at) {
+      INFO("2^-" << power << ", " << at);
+      const PrincipalReference exact = reference_of(tensors[at]);
+      for (std::size_t k = 0; k < 2; ++k)
+        CHECK(relative_error(solved.columns.gaps[k][at], exact.gaps[k], 1) <= 16 * u);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Position n = solved.axis(k, at);
+        Digits50 along = 0;
+        Digits50 away = 0;
+        for (std::size_t i = 0; i < 3; ++i) along += exact.axes[k][i] * n[i];
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Digits50 d = n[i] - (along < 0 ? -1 : 1) * exact.axes[k][i];
+          away += d * d;
+        }
+        CHECK(sqrt(away) <= 6 * u);
+      }
+      const bool good = lanes.columns.state[at] == MomentsState::good;
+      if (power < 88) CHECK(good);
+      if (!good) ++given_up;
+    }
+  }
+  CHECK(given_up > 0);
 }
 
 TEST_CASE("low parts of a tensor count: a gap far below its last place is found") {

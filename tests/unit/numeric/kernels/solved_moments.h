@@ -31,8 +31,29 @@ struct SolvedMoments {
         in[3 + i].push_back(tensor[(i + 1) % 3][(i + 2) % 3]);
       }
     }
-    for (auto& column : out) column.resize(tensors.size(), -1);
-    columns.count = tensors.size();
+    set_columns(tensors.size());
+  }
+
+  explicit SolvedMoments(const std::vector<SharpTensor>& tensors) : in(12), out(18) {
+    for (const SharpTensor& tensor : tensors) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const HighLow& off = tensor[(i + 1) % 3][(i + 2) % 3];
+        in[i].push_back(tensor[i][i].high);
+        in[3 + i].push_back(off.high);
+        in[6 + i].push_back(tensor[i][i].low);
+        in[9 + i].push_back(off.low);
+      }
+    }
+    set_columns(tensors.size());
+    for (std::size_t i = 0; i < 3; ++i) {
+      columns.diagonal_low[i] = in[6 + i].data();
+      columns.off_low[i] = in[9 + i].data();
+    }
+  }
+
+  void set_columns(std::size_t count) {
+    for (auto& column : out) column.resize(count, -1);
+    columns.count = count;
     for (std::size_t i = 0; i < 3; ++i) {
       columns.diagonal[i] = in[i].data();
       columns.off[i] = in[3 + i].data();

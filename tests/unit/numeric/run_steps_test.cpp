@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/run/run_steps.h"
+
+#include <array>
+#include <cstring>
+#include <vector>
+
+#include "catch.h"
+#include "numeric/lane/lane_kernels.h"
+#include "numeric/program/uniform.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t width = lane_count;
+
+/// Wide slots of random numbers; the last one is for the result.
+struct Slots {
+  std::vector<double> numbers;
+  std::array<double*, most_operands + 1> at{};
+
+  explicit Slots(std::uint64_t seed) : numbers((most_operands + 1) * width) {
+    SplitMix bits(seed);
+    for (double& x : numbers) x = uniform_sign(bits);
+    for (std::size_t k = 0; k <= most_operands; ++k) at[k] = numbers.data() + k * width;
+  }
+};
+
+PlanStep step_of(Kernel kernel, unsigned wide, std::uint8_t minus) {
+  PlanStep step;
+  step.kernel = kernel;
+  step.wide = static_cast<std::uint16_t>(wide);
+  step.minus = minus;
+  step.out = most_operands;
+  for (std::size_t k = 0; k < most_operands; ++k) step.in[k] = static_cast<SlotId>(k);
+  return step;
+}
+
+TEST_CASE("steps have the same bits in every instruction set") {
+  std::size_t compared = 0;
+  for (auto kernel = static_cast<unsigned>(Kernel::clear); kernel < static_cast<unsigned>(Kernel::loop);
+       ++kernel) {
+    for (unsigned operands = 0; operands < 1u << most_operands; ++operands) {
+      for (const bool over_lanes : {false, true}) {
+        PlanStep step = step_of(static_cast<Kernel>(kernel), wide_result | operands,
+                                static_cast<std::uint8_t>(operands % 7));
+        step.over_lanes = over_lanes;
+        const auto expected = steps_of("baseline")(step);
+        if (expected == nullptr) continue;
+        Slots baseline(kernel);
+        expected(baseline.at.data(), step, 77);
+        for (const LaneKernels* set : runnable_lane_kernels()) {
+          const auto found = steps_of(set->instruction_set)(step);
+          REQUIRE(found != nullptr);
+          Slots slots(kernel);
+          found(slots.at.data(), step, 77);
+          INFO(set->instruction_set << ", kernel " << kernel << ", wide " << step.wide);
+          CHECK(std::memcmp(slots.numbers.data(), baseline.numbers.data(),
+                            sizeof(double) * slots.numbers.size()) == 0);
+          ++compared;
+        }
+      }
+    }
+  }
+  CHECK(compared >= 2 * 45);
+}
+
+TEST_CASE("each lane has the value that the step's formula has with roundings in its order") {
+  const auto run = [](Kernel kernel, unsigned wide, std::uint8_t minus, Slots& slots) {
+    const PlanStep step = step_of(kernel, wide_result | wide, minus);
+    const auto found = wide_steps()(step);
+    REQUIRE(found != nullptr);
+    found(slots.at.data(), step, lane_count);
+  };
+  Slots slots(3);
+  const auto x = [&](std::size_t k, std::size_t lane) { return slots.at[k][lane]; };
+  run(Kernel::product_difference, 0b0101, 0, slots);
+  for (std::size_t i = 0; i < width; ++i) {
+    const double first = x(0, i) * x(1, 0);
+    const double second = x(2, i) * x(3, 0);
+    CHECK(x(most_operands, i) == first - second);
+  }
+  run(Kernel::cross_square, 0b111, 0, slots);
+  for (std::size_t i = 0; i < width; ++i) {
+    std::array<double, 3> squares{};
+    constexpr std::array<std::array<std::size_t, 4>, 3> factors{{{0, 3, 1, 4}, {1, 5, 2, 3}, {2, 4, 0, 5}}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double first = x(factors[k][0], i) * x(factors[k][1], 0);
+      const double second = x(factors[k][2], i) * x(factors[k][3], 0);
+      squares[k] = (first - second) * (first - second);
+    }
+    CHECK(x(most_operands, i) == squares[0] + squares[1] + squares[2]);
+  }
+  // The second triple is subtracted.
+  run(Kernel::add_triple_sum_3, 0x2db, 2, slots);
+  for (std::size_t i = 0; i < width; ++i) {
+    const double sum = x(0, i) + x(1, i) * x(2, 0) * x(3, i);
+    const double less = sum - x(4, i) * x(5, 0) * x(6, i);
+    CHECK(x(most_operands, i) == less + x(7, i) * x(8, 0) * x(9, i));
+  }
+}
+
+TEST_CASE("each instruction set has steps of its own, and a step that is narrow has none") {
+  for (const LaneKernels* set : runnable_lane_kernels()) {
+    const bool is_baseline = std::string_view(set->instruction_set) == "baseline";
+    CHECK((steps_of(set->instruction_set) == steps_of("baseline")) == is_baseline);
+    CHECK(steps_of(set->instruction_set)(step_of(Kernel::sin, 0x8001, 0)) == nullptr);
+    CHECK(steps_of(set->instruction_set)(step_of(Kernel::add, 0, 0)) == nullptr);
+  }
+}
+
+}  // namespace
+}  // namespace rigor
