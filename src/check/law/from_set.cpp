@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <ranges>
@@ -346,13 +347,26 @@ std::optional<Judgement> prove_as_it_stands(const RowUnderLaws& row, const Laws&
   // That letters are constant contradicts nothing.
   if (!used.empty() && !is_met_without_zeros(row.tree, from, row.claim.equation, used, row.cache))
     return std::nullopt;
-  for (const SymbolId constant : needed)
-    judgement.uses.push_back(fmt::format("convention: `{}` is constant, since nothing differentiates it",
-                                         row.tree.symbols[constant].name));
+  for (const SymbolId constant : needed) judgement.uses.push_back(convention_of_constant(row.tree, constant));
   return judgement;
 }
 
 }  // namespace
+
+std::string convention_of_constant(const ExprTree& tree, SymbolId letter) {
+  return fmt::format("convention: `{}` is constant, since nothing differentiates it",
+                     tree.symbols[letter].name);
+}
+
+bool differentiates_a_constant(const ExprTree& tree, const Equation& row,
+                               const std::vector<std::string>& uses) {
+  return std::ranges::any_of(std::array{row.left, row.right}, [&](ExprId side) {
+    return std::ranges::any_of(symbols_in(tree, side), [&](SymbolId each) {
+      const SymbolId base = base_of(tree.symbols, each);
+      return base != each && is_one_of(convention_of_constant(tree, base), uses);
+    });
+  });
+}
 
 std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set) {
   auto found = prove_as_it_stands(row, set);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "check/law/page_law.h"
 #include "check/verdict/judge.h"
@@ -22,6 +24,13 @@ struct RowUnderLaws {
 
 /// The same, and what nothing on the page differentiates is taken as constant.
 [[nodiscard]] Names with_laws_and_constants(const RowUnderLaws& row, const Laws& laws);
+
+/// "`m` is constant, since nothing differentiates it", as `uses` says it.
+[[nodiscard]] std::string convention_of_constant(const ExprTree& tree, SymbolId letter);
+
+/// Does a proof with these `uses` take as constant what the row itself differentiates?
+[[nodiscard]] bool differentiates_a_constant(const ExprTree& tree, const Equation& row,
+                                             const std::vector<std::string>& uses);
 
 /// Proved, with `uses`; nothing if no proof was found. `uses` names the laws that the proof needs, the
 /// letters that it takes as constant (nothing on the page differentiates them), and those that must not be 0:

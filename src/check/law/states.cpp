@@ -188,9 +188,7 @@ std::vector<std::string> conventions_of(const RowUnderLaws& row, const StateFact
   for (const SymbolId letter : facts.letters) {
     const bool known = facts.states.contains(letter) || row.tree.symbols[letter].is_fixed() ||
                        is_declared_constant(row.names.scope, letter);
-    if (!known)
-      conventions.push_back(
-          fmt::format("convention: `{}` is constant, since nothing differentiates it", name_of(row, letter)));
+    if (!known) conventions.push_back(convention_of_constant(row.tree, letter));
   }
   return conventions;
 }

@@ -28,7 +28,7 @@ constexpr std::size_t most_judged = 24;
 constexpr std::size_t most_judged_unseen = 64;  // where no sample tells which of them are worth it
 constexpr std::size_t most_judged_held = 200;   // in derivatives that hold other letters
 constexpr std::size_t most_judged_unseen_of_open = 12;
-constexpr std::size_t most_judged_rounded = 400;
+constexpr std::size_t most_judged_rounded = 160;
 constexpr std::uint64_t most_work_unseen = 1'000'000;
 constexpr std::uint64_t most_work_on_one =
     45'000;                               // of these; a proof takes less, and most that fail take more
@@ -79,35 +79,31 @@ class RepairSearch {
     reading_ = read_chain(syntax_, tree_, names_, chain_, wrong.rules);
   }
 
+  /// Of the first neighbour with most letters: it lacks no term.
   std::optional<Claim> nearest_claim() {
     if (is_too_long() || (!typed(0) && !typed(1))) return std::nullopt;
-    std::vector<RepairCandidate> rewritten = candidates_.rewritten_sides(true);
-    const std::vector<Equation> equations = read(rewritten);
-    if (!equations.empty()) speak_of_most(equations);
-    return first_claim_;
+    std::vector<RepairCandidate> near = candidates_.rewritten_sides(true);
+    read(near);
+    return richest_claim_;
   }
 
   std::vector<TrueNeighbour> run(NotCompared others) {
     if (is_too_long()) return {};
+    if (others == NotCompared::all_asked) return prove_the_nearest(all_near(), most_judged_rounded, true);
     const std::optional<Claim> original = claim_between(typed(0), typed(1));
     const bool by_terms =
         original && !original->nearly && original->equation.relation == Relation::equal && !asked_;
     std::vector<RepairCandidate> rewritten = candidates_.rewritten_sides(!by_terms);
     std::vector<Equation> equations = read(rewritten);
     if (rewritten.empty()) return {};
-    if (!original) speak_of_most(equations);
-    claim_ = original ? *original : *first_claim_;
+    claim_ = original ? *original : *richest_claim_;
     if (asked_) ask_instead(rewritten, equations);
     if (rewritten.empty()) return {};
     std::vector<RepairCandidate> holding;
     const bool in_coordinates = !coordinates_in(tree_, claim_.equation).empty();
-    if (others == NotCompared::all_asked) return prove_rounded_neighbours();
     if (in_coordinates) {
       // On a sample, derivatives that hold other letters are numbers of their own: all that is near is asked.
-      holding = candidates_.rewritten_sides(true);
-      if (others == NotCompared::few) {
-        for (RepairCandidate& each : candidates_.with_letters_near()) holding.push_back(std::move(each));
-      }
+      holding = others == NotCompared::few ? all_near() : candidates_.rewritten_sides(true);
     } else if (claim_.nearly) {
       holding = holding_to_first_order(rewritten, equations);
     } else {
@@ -154,13 +150,6 @@ class RepairSearch {
                                [](const TrueNeighbour& each) { return each.repair.replacement == "0"; });
   }
 
-  std::vector<TrueNeighbour> prove_rounded_neighbours() {
-    std::vector<RepairCandidate> near = candidates_.rewritten_sides(true);
-    for (RepairCandidate& each : candidates_.with_letters_near()) near.push_back(std::move(each));
-    sort_and_reduce(near, candidates_.side(0), candidates_.side(1));
-    return prove_the_nearest(near, most_judged_rounded, true);
-  }
-
   std::vector<TrueNeighbour> prove_what_was_not_compared(std::size_t most) {
     if (not_compared_.empty() || cache_ == nullptr || cache_->budget().exhausted()) return {};
     if (!claim_was_compared_) {  // nor were its terms
@@ -185,6 +174,14 @@ class RepairSearch {
     const std::vector<Equation> equations = read(others);
     for (RepairCandidate& each : holding_on_samples(others, equations, {}, true))
       holding.push_back(std::move(each));
+  }
+
+  /// With letters of other rows, the nearest first.
+  std::vector<RepairCandidate> all_near() const {
+    std::vector<RepairCandidate> near = candidates_.rewritten_sides(true);
+    for (RepairCandidate& each : candidates_.with_letters_near()) near.push_back(std::move(each));
+    sort_and_reduce(near, candidates_.side(0), candidates_.side(1));
+    return near;
   }
 
   // --- reading
@@ -212,20 +209,20 @@ class RepairSearch {
       const auto own = read(candidate.tokens);
       const auto claim = candidate.side == 0 ? claim_between(own, other) : claim_between(other, own);
       if (!claim) return true;
-      if (!first_claim_) first_claim_ = claim;
+      keep_if_richer(*claim);
       equations.push_back(claim->equation);
       return false;
     });
     return equations;
   }
 
-  /// Where the row itself cannot be read: the first neighbour with all letters, and not one that lacks a
-  /// term.
-  void speak_of_most(const std::vector<Equation>& equations) {
-    const auto letters_of = [&](const Equation& each) {
-      return base_letters(tree_, names_.scope, each).size();
-    };
-    first_claim_->equation = *std::ranges::max_element(equations, {}, letters_of);
+  /// The claim itself where it can be read is all that is needed.
+  void keep_if_richer(const Claim& claim) {
+    if (typed(0) && typed(1) && richest_claim_) return;
+    const std::size_t letters = base_letters(tree_, names_.scope, claim.equation).size();
+    if (richest_claim_ && letters <= most_letters_) return;
+    richest_claim_ = claim;
+    most_letters_ = letters;
   }
 
   /// Each equation becomes the one that is asked; what has none is taken out.
@@ -423,14 +420,21 @@ class RepairSearch {
     const std::size_t place = wrong_.which + candidate.side;
     chain.written.sides[place].tokens = candidate.tokens;
     chain.sides[place] = parse_side(candidate.tokens, chain.written.sides[place].span, syntax_);
-    const auto reading = read_chain(syntax_, tree_, names_, chain, wrong_.rules);
+    Names names = wrong_.proved_with != nullptr ? *wrong_.proved_with : names_;
+    const auto reading = read_chain(syntax_, tree_, names, chain, wrong_.rules);
     if (!reading->sides[wrong_.which].typed || !reading->sides[wrong_.which + 1].typed) return std::nullopt;
+    if (leaves_open(*reading) && !leaves_open(*reading_)) return std::nullopt;
     Diagnostics mismatches;
     const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, mismatches);
     if (!claim || !mismatches.empty()) return std::nullopt;
     const bool trivial = is_trivial(tree_, claim->equation.left, claim->equation.right);
     if (trivial && !spells_out(candidate)) return std::nullopt;
-    return proof_(tree_, names_, *claim, candidate.slip);
+    return proof_(tree_, names, *claim, candidate.slip);
+  }
+
+  /// A letter or a bracket can mean something else.
+  static bool leaves_open(const ChainReading& reading) {
+    return guess_of(reading.reading()).has_value() || reading.reading().found.applied.has_value();
   }
 
   /// `\cosh x = \frac{e^x + e^{-x}}{2}`, `[A, B] = AB - BA`: the same to us, not to the author.
@@ -467,8 +471,9 @@ class RepairSearch {
   Diagnostics ignored_;
   std::vector<RepairCandidate> not_compared_;  // on the samples
   bool claim_was_compared_ = true;
-  Claim claim_;                       // the original one; where it has no meaning, the nearest that has one
-  std::optional<Claim> first_claim_;  // of a candidate
+  Claim claim_;                         // the original one; where it has no meaning, the nearest that has one
+  std::optional<Claim> richest_claim_;  // of a candidate
+  std::size_t most_letters_ = 0;        // of that
 };
 
 }  // namespace
@@ -497,7 +502,7 @@ std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& n
 
 std::optional<Claim> nearest_claim(ExprTree& tree, Names& names, const WrongStep& wrong) {
   auto claim = RepairSearch(tree, names, wrong, {}, {}, nullptr).nearest_claim();
-  if (claim) claim->reading = nullptr;
+  if (claim) claim->reading = nullptr, claim->doubt = nullptr;
   return claim;
 }
 

@@ -48,9 +48,8 @@ using Asked = std::function<std::optional<Equation>(ExprTree&, const Names&, con
 
 /// What is done with neighbours that samples do not compare, such as integrals that the wrong row has not:
 /// each is proved or not, which takes a thousand times as long. A row that is known to be wrong is worth it.
-/// `few`: of a row that is left open. Where nothing is near, letters of other rows are tried as well, on
-/// samples, and then the nearest of these are asked.
-/// `all_asked`: of a row that is rounded, which no sample compares, and where asking is cheap.
+/// `few`: of a row that is left open, the nearest of these are asked; before that, letters of other rows are
+/// tried on samples. `all_asked`: of a row that is rounded, which no sample compares, the nearest of all.
 enum class NotCompared : std::uint8_t { left_out, few, asked, all_asked };
 
 /// A true statement within one slip of the wrong one.
@@ -79,7 +78,7 @@ struct TrueNeighbour {
                                                           DecisionCache* cache = nullptr);
 
 /// Of a row that cannot be read: what it may speak of, as its nearest neighbour says that can be read. The
-/// tree and the names grow by what is read. Without the reading that it had.
+/// tree and the names grow by what is read. Without its reading, which is gone.
 [[nodiscard]] std::optional<Claim> nearest_claim(ExprTree& tree, Names& names, const WrongStep& wrong);
 
 /// Each with what it rests on.

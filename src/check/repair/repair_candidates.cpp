@@ -114,7 +114,7 @@ bool has_fraction_of_one(TokenView side) {
     if (!is_fraction(side[k])) continue;
     const Argument upper = argument_at(side, k + 1);
     const Argument lower = argument_at(side, upper.next);
-    if (!upper.content.empty() && text_of(upper.content) == text_of(lower.content)) return true;
+    if (!upper.content.empty() && bare_text(upper.content) == bare_text(lower.content)) return true;
   }
   return false;
 }
@@ -183,7 +183,8 @@ RepairCandidate RepairCandidates::made(std::size_t which, const Rewriting& rewri
       : from.empty() ? fmt::format("`{}` is missing on the {} side", to, side_names[which])
                      : fmt::format("`{}` for `{}` on the {} side", to, from, side_names[which]);
   RepairCandidate candidate = made(which, change.slip, rewritten(side(which), change), words, further);
-  candidate.roundabout = is_roundabout(side(which), change) || has_fraction_of_one(candidate.tokens);
+  candidate.roundabout = is_roundabout(side(which), change) ||
+                         (has_fraction_of_one(candidate.tokens) && !has_fraction_of_one(side(which)));
   return candidate;
 }
 

@@ -23,8 +23,9 @@ struct WrongStep {
   bool first_order = false;     // `=` means ≈
   Trust left = Trust::unknown;  // supported: the step before it is proved
   Trust right = Trust::unknown;
-  ReadingRules rules = {};           // by which it was read
-  std::vector<TokenView> near = {};  // sides in lines before and after it, whose terms may be missing here
+  ReadingRules rules = {};             // by which it was read
+  const Names* proved_with = nullptr;  // by which neighbours are read for a proof; else as for samples
+  std::vector<TokenView> near = {};    // sides in lines before and after it, whose terms may be missing here
 };
 
 struct RepairCandidate {

@@ -37,7 +37,9 @@ bool changes_the_terms(Slip slip) { return slip == Slip::term_missing || slip ==
 class Suspecting {
  public:
   Suspecting(const ExprTree& tree, const Names& names, const OpenRow& row, DecisionCache& cache)
-      : tree_(tree), names_(names), row_(row), cache_(cache) {}
+      : tree_(tree), names_(names), row_(row), cache_(cache), wrong_(row.wrong) {
+    wrong_.proved_with = &names_;
+  }
 
   std::optional<Suspicion> run() {
     if (may_be_near_an_identity() || holds_letters(tree_, names_.scope, row_.claim.equation)) {
@@ -63,7 +65,7 @@ class Suspecting {
     const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim,
                                      Slip slip) -> std::optional<std::vector<std::string>> {
       if (repeats(tree, claim.equation) || calls_zero(tree, claim.equation, slip)) return std::nullopt;
-      return follows(tree, without_laws(names), claim, slip);
+      return follows(tree, names, claim, slip);
     };
     auto solutions = solutions_near(row_.available, [](Slip) { return true; });
     if (!solutions.empty()) return solutions;
@@ -71,11 +73,12 @@ class Suspecting {
     std::vector<Laws> sets = holds_letters(tree_, names_.scope, row_.claim.equation)
                                  ? sets_of_states(bearing)
                                  : sets_of(tree_, bearing);
+    if (sets.empty() || !sets.front().empty()) sets.insert(sets.begin(), Laws{});
     std::vector<TrueNeighbour> found;
     while (found.empty() && !sets.empty() && !cache_.budget().exhausted()) {
       ExprTree grown = tree_;
       const Names met = with_laws_and_constants({grown, names_, row_.claim, &cache_}, sets.back());
-      found = true_neighbours(grown, met, row_.wrong, proof, &cache_, {}, NotCompared::few);
+      found = true_neighbours(grown, met, wrong_, proof, &cache_, {}, NotCompared::few);
       if (can_be_met(sets.back())) break;
       sets.pop_back();
     }
@@ -93,6 +96,7 @@ class Suspecting {
 
   /// `x - 1 = 0`: that `x - x` is 0 says nothing, and a side that becomes 0 was meant to be something.
   bool calls_zero(const ExprTree& tree, const Equation& candidate, Slip slip) const {
+    if (row_.unread) return false;
     const Equation& own = row_.claim.equation;
     const auto is_zero = [&](ExprId now) { return tree.is_zero_literal(now); };
     const bool becomes_zero = (is_zero(candidate.left) && !tree_.is_zero_literal(own.left)) ||
@@ -124,14 +128,18 @@ class Suspecting {
     };
     const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim,
                                      Slip slip) -> std::optional<std::vector<std::string>> {
-      if (!likely(slip) || is_trivial_up_to_order(tree, claim.equation.right, row_.claim.equation.right))
+      const Equation& own_row = row_.claim.equation;
+      if (!likely(slip) ||
+          (!row_.unread && is_trivial_up_to_order(tree, claim.equation.right, own_row.right)))
         return std::nullopt;
-      auto found = solves({tree, names, claim, &cache_}, bearing, laws);
+      const Names without = without_laws(names);
+      auto found = solves({tree, without, claim, &cache_}, bearing, laws);
       return found ? std::optional(std::move(found->uses)) : std::nullopt;
     };
     Claim solution = row_.claim;
     const auto own = put_in(grown, names_, solved->of, solution.equation.right);
-    if (own) solution.equation = *own;
+    if (!own) return {};
+    solution.equation = *own;
     const Names constant = with_laws_and_constants({grown, names_, solution, &cache_}, {});
     return true_neighbours(grown, constant, row_.wrong, proof, &cache_, asked);
   }
@@ -209,7 +217,7 @@ class Suspecting {
     const Names assuming = with_laws_and_constants({grown, names_, row_.claim, &cache_}, met);
     if (judge(grown, assuming, row_.claim, limits_of_guesses, &cache_).verdict == Verdict::proved)
       return std::nullopt;  // it may follow as it stands
-    std::vector<TrueNeighbour> found = true_neighbours(grown, assuming, row_.wrong, proof, &cache_);
+    std::vector<TrueNeighbour> found = true_neighbours(grown, assuming, wrong_, proof, &cache_);
     const auto likely = std::ranges::find_if(
         found, [](const TrueNeighbour& each) { return !adds_an_unusual_term(each.repair); });
     if (likely == found.end()) return std::nullopt;
@@ -226,7 +234,9 @@ class Suspecting {
     if (!may_repeat && is_said_already(tree, without, claim.equation, sets)) return std::nullopt;
     if (!sets.empty() && holds_by_itself(tree, without, claim)) return std::nullopt;
     for (const Laws& set : sets) {
-      if (auto found = prove_from({tree, without, claim, &cache_}, set)) return std::move(found->uses);
+      auto found = prove_from({tree, without, claim, &cache_}, set);
+      if (found && !differentiates_a_constant(tree, claim.equation, found->uses))
+        return std::move(found->uses);
     }
     if (!sets.empty()) return std::nullopt;
     if (changes_the_terms(slip) && has_idle_letters(tree, claim.equation)) return std::nullopt;
@@ -236,7 +246,8 @@ class Suspecting {
     if (judgement.verdict == Verdict::proved && judgement.diagnostics.empty())
       return std::move(judgement.uses);
     auto found = prove_from({tree, without, claim, &cache_}, {});
-    return found ? std::optional(std::move(found->uses)) : std::nullopt;
+    if (!found || differentiates_a_constant(tree, claim.equation, found->uses)) return std::nullopt;
+    return std::move(found->uses);
   }
 
   /// `a + \nabla\cdot\mathbf j = a + \nabla\cdot(\mathbf j + \nabla\times\mathbf m)`: one side speaks of m
@@ -328,6 +339,8 @@ class Suspecting {
   const Names& names_;
   const OpenRow& row_;
   DecisionCache& cache_;
+  WrongStep
+      wrong_;  // what is constant on samples is not so where it is read: \frac{d}{dt}(uw) is not u\dot w
   std::optional<bool> usual_;  // does a usual condition make the row true?
 };
 

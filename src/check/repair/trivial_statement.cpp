@@ -27,6 +27,13 @@ bool is_zero_as_written(const ExprTree& tree, ExprId id) {
     case Op::dot:
     case Op::cross:
       return std::ranges::any_of(children, is_zero);
+    case Op::divide:
+    case Op::length:
+    case Op::absolute:
+    case Op::root:
+      return is_zero(children[0]);
+    case Op::power:
+      return tree[id].exponent > 0 && is_zero(children[0]);
     default:
       return false;
   }
@@ -35,14 +42,13 @@ bool is_zero_as_written(const ExprTree& tree, ExprId id) {
 /// Two terms of the sum are the same but for their signs. Those of different commutators are not written:
 /// `[A,[B,C]] + [B,[C,A]] + [C,[A,B]]`.
 bool has_cancelling_terms(const ExprTree& tree, ExprId side) {
-  const bool operators = has_operators(tree, side);
   std::set<std::string> terms[2];
   std::vector<std::pair<ExprId, bool>> pending{{side, false}};
   while (!pending.empty()) {
     const auto [id, negative] = pending.back();
     pending.pop_back();
     const Op op = tree[id].op;
-    const bool nested = operators && op == Op::add && id != side;
+    const bool nested = op == Op::add && id != side && has_operators(tree, id);
     if (!nested && (op == Op::add || op == Op::negate)) {
       for (const ExprId child : tree.children(id))
         pending.emplace_back(child, negative != (op == Op::negate));

@@ -6,19 +6,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "base/among.h"
 #include "base/ascii.h"
 #include "check/constant/natural_units.h"
 #include "check/doubt/digits.h"
 #include "check/doubt/equation_of_letters.h"
+#include "check/law/state_facts.h"
 #include "check/place/place.h"
 #include "check/prose/open_words.h"
+#include "check/question/base_letters.h"
 #include "check/repair/free_constant.h"
 #include "check/repair/missing_condition.h"
 #include "check/scope/definition.h"
 #include "check/scope/local_kinds.h"
 #include "check/word/prose_words.h"
+#include "expr/tree/path.h"
 
 namespace rigor {
 namespace {
@@ -255,6 +259,35 @@ std::optional<Doubt> of_degrees_alone(RowPlace& place, const StepReading&, const
                .help = {"beside π or an inverse function they are angles"}};
 }
 
+/// `dL = I\,d\omega` of `L = I\omega`: the differentials that it does not write may be 0 here.
+std::optional<Doubt> of_letters_held(RowPlace& place, const StepReading&, const Claim& claim) {
+  ExprTree& tree = place.tree;
+  if (!has_differentials(tree, claim.equation)) return std::nullopt;
+  std::set<SymbolId> written;
+  for (const ExprId side : {claim.equation.left, claim.equation.right}) {
+    for (const SymbolId each : symbols_in(tree, side)) {
+      if (is_differential(tree.symbols, each)) written.insert(base_of(tree.symbols, each));
+    }
+  }
+  Names held = place.names;
+  std::vector<std::string> letters;
+  for (const SymbolId letter : base_letters(tree, place.names.scope, claim.equation)) {
+    const Symbol& symbol = tree.symbols[letter];
+    if (written.contains(letter) || symbol.is_fixed() ||
+        definition_of(place.names.scope, letter) != nullptr ||
+        is_declared_constant(place.names.scope, letter))
+      continue;
+    declare_constant(held.scope, letter, std::nullopt);
+    letters.push_back(fmt::format("`{}`", symbol.name));
+  }
+  if (letters.empty() ||
+      judge(tree, held, claim, limits_of_candidates, place.options.cache).verdict != Verdict::proved)
+    return std::nullopt;
+  return Doubt{.message = fmt::format("it holds if {} {} not change here, and nothing says so",
+                                      fmt::join(letters, " and "), letters.size() == 1 ? "does" : "do"),
+               .help = {"`rigor: claim …` asks whether it holds for all changes"}};
+}
+
 }  // namespace
 
 void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
@@ -265,9 +298,9 @@ void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
 }
 
 std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row, const Claim& claim) {
-  for (const auto ask : {of_degrees_alone, of_a_contradiction, with_a_unit_missing, in_natural_units,
-                         about_written_zeros, of_a_matrix_and_a_number, of_another_value, among_alternatives,
-                         by_a_borrowed_letter, for_other_values}) {
+  for (const auto ask : {of_letters_held, of_degrees_alone, of_a_contradiction, with_a_unit_missing,
+                         in_natural_units, about_written_zeros, of_a_matrix_and_a_number, of_another_value,
+                         among_alternatives, by_a_borrowed_letter, for_other_values}) {
     if (auto doubt = ask(place, row, claim)) return doubt;
   }
   return std::nullopt;

@@ -75,6 +75,25 @@ bool says_an_adjoint(const ExprTree& tree, const Equation& law, SymbolId letter)
   });
 }
 
+/// Does `a^\dagger` stand in the row, in a law or in a definition? Then a is no observable, but for
+/// `\hat p^\dagger = \hat p`.
+bool is_daggered(const RowPlace& place, const Claim& claim, const Laws& available, SymbolId letter) {
+  const ExprTree& tree = place.tree;
+  const auto is_it = [&](ExprId id) { return tree[id].op == Op::symbol && tree[id].symbol == letter; };
+  const auto daggers = [&](const Equation& equation) {
+    const auto is_own_adjoint = [&](ExprId one, ExprId other) {
+      return tree[one].op == Op::conjugate && is_it(tree.children(one)[0]) && is_it(other);
+    };
+    if (is_own_adjoint(equation.left, equation.right) && tree.symbols[letter].name.starts_with("\\hat"))
+      return false;
+    return std::ranges::any_of(
+        nodes_reached(tree, place.names.scope, {equation.left, equation.right}),
+        [&](ExprId id) { return tree[id].op == Op::conjugate && is_it(tree.children(id)[0]); });
+  };
+  return daggers(claim.equation) ||
+         std::ranges::any_of(available, [&](const PageLaw* law) { return daggers(law->equation); });
+}
+
 /// That the operators of the row are self-adjoint, as far as the words or the commutators of the page say so.
 std::vector<PageLaw> self_adjoint_letters(RowPlace& place, const Claim& claim, const Laws& available) {
   const auto writes = [&](const Equation& each) {
@@ -107,6 +126,7 @@ std::vector<PageLaw> self_adjoint_letters(RowPlace& place, const Claim& claim, c
     const Symbol& symbol = place.tree.symbols[letter];
     if (!symbol.noncommuting || symbol.rank > 0 || definition_of(place.names.scope, letter) != nullptr)
       continue;
+    if (is_daggered(place, claim, available, letter)) continue;
     // What the page says of its adjoint goes before a convention.
     const bool told = std::ranges::any_of(
         available, [&](const PageLaw* law) { return says_an_adjoint(place.tree, law->equation, letter); });

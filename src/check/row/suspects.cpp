@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,12 +16,14 @@
 #include "check/doubt/digits.h"
 #include "check/doubt/equation_of_letters.h"
 #include "check/law/from_laws.h"
+#include "check/law/from_set.h"
 #include "check/place/place.h"
 #include "check/prose/restrictions.h"
 #include "check/prose/said_around.h"
 #include "check/question/decision_cache.h"
 #include "check/repair/sides_near.h"
 #include "check/repair/suspicion.h"
+#include "check/row/given_values.h"
 #include "check/scope/section_evidence.h"
 #include "check/word/prose_words.h"
 #include "latex/token/vocabulary.h"
@@ -88,6 +91,21 @@ Names as_said_here(RowPlace& place, const StepReading& row) {
   return here;
 }
 
+/// Of the law above, and not of another system or for a trial: "Its solution is", "so", or no words of its
+/// own.
+bool goes_on_to_a_solution(const RowPlace& place, const StepReading& row) {
+  static constexpr auto trials =
+      std::to_array<std::string_view>({"trial", "try", "ansatz", "guess", "look for", "form", "suppose",
+                                       "wrong", "unphysical", "confuse", "other", "another", "which"});
+  static constexpr auto solutions = std::to_array<std::string_view>({"solution", "solve", "integra"});
+  const std::string& lead = beside(place).lead;
+  const std::string clause = lowered(lead.substr(lead.rfind('\n') + 1));
+  const auto says = [&](std::string_view words) { return clause.find(words) != std::string::npos; };
+  if (std::ranges::any_of(trials, says)) return false;
+  return row.which > 0 || says_that_it_follows(lead) || !has_own_words(clause) ||
+         std::ranges::any_of(solutions, says);
+}
+
 /// What is also the right side of the link before it is less likely to hold the slip.
 WrongStep as_wrong(const RowPlace& place, const StepReading& row) {
   return {.parsed = row.parsed,
@@ -105,39 +123,58 @@ bool may_hold_a_slip(const RowPlace& place, const StepReading& row) {
          row.reading.how().open != OpenBracket::factor;
 }
 
+bool may_be_offered(const RowPlace& place, const StepReading& row) {
+  const Span chain = row.parsed.written.span;
+  const auto at = place.options.near_at;
+  const bool elsewhere = at && (*at < chain.begin || chain.end <= *at);
+  return !elsewhere && may_hold_a_slip(place, row);
+}
+
 /// The same place, with a tree that has grown.
 RowPlace seen_in(const RowPlace& place, ExprTree& tree, Names names) {
   return {place.sources,    place.notes,   place.options, place.above,       tree,
           std::move(names), place.section, place.event,   place.heeds_words, place.is_stated};
 }
 
+/// In the row itself.
 bool shows_digits(const ExprTree& tree, const Names& names, const Claim& claim) {
-  return number_shown(tree, names, claim) || has_decimal(tree, names, claim.equation.left) ||
-         has_decimal(tree, names, claim.equation.right);
+  if (const auto shown = number_shown(tree, names, claim)) return shown->digits > 1;
+  return std::ranges::any_of(nodes_below(tree, {claim.equation.left, claim.equation.right}), [&](ExprId id) {
+    return tree[id].op == Op::number && tree.digits(id).find('.') != std::string_view::npos;
+  });
 }
 
 /// A row that shows a number, with what is rounded: its neighbours are asked for the digits as it was.
-std::vector<Repair> numbers_near(const RowPlace& place, const StepReading& row) {
+std::vector<Repair> numbers_near(RowPlace& place, const StepReading& row) {
+  constexpr std::uint64_t most_work = 250'000;
+  DecisionCache& cache = *place.options.cache;
+  const ShareOfWork share(cache, most_work);
+  const Standpoint here = standpoint_of_proofs(place, row.parsed);
   const NeighbourProof agrees = [&](ExprTree& tree, const Names& names, const Claim& near,
                                     Slip) -> std::optional<std::vector<std::string>> {
     RowPlace there = seen_in(place, tree, names);
     Judgement judgement;
     judgement.verdict = Verdict::undecided;
     heed_digits(there, near, judgement);
-    if (judgement.verdict == Verdict::proved) return std::move(judgement.uses);
-    if (!agrees_with_values(there, row, near, judgement) &&
-        !agrees_with_constants(there, row, near, judgement))
+    if (judgement.verdict == Verdict::proved) {
+      judgement.uses = uses_of(tree, names, near);
+    } else if (!agrees_with_values(there, row, near, judgement) &&
+               !agrees_with_constants(there, row, near, judgement)) {
       return std::nullopt;
+    }
+    if (judgement.verdict != Verdict::proved) return std::nullopt;
+    judgement = heed_cases(tree, names, near, std::move(judgement), here, &cache);
     if (judgement.verdict != Verdict::proved) return std::nullopt;
     return std::move(judgement.uses);
   };
-  return repairs_of(true_neighbours(place.tree, place.names, as_wrong(place, row), agrees,
-                                    place.options.cache, {}, NotCompared::all_asked));
+  return repairs_of(true_neighbours(place.tree, place.names, as_wrong(place, row), agrees, &cache, {},
+                                    NotCompared::all_asked));
 }
 
-/// `unread`: the claim is that of a neighbour.
-std::vector<Repair> near_as_read(RowPlace& place, const StepReading& row, const Claim& claim, bool unread) {
-  if (shows_digits(place.tree, place.names, claim)) {
+/// `unread`: the claim is that of a neighbour. `marks_only`: only what takes a dot or a prime back counts.
+std::vector<Repair> near_as_read(RowPlace& place, const StepReading& row, const Claim& claim, bool unread,
+                                 bool marks_only) {
+  if (!marks_only && shows_digits(place.tree, place.names, claim)) {
     std::vector<Repair> near = numbers_near(place, row);
     if (!near.empty()) return near;
   }
@@ -148,7 +185,8 @@ std::vector<Repair> near_as_read(RowPlace& place, const StepReading& row, const 
   const bool inferred = row.parsed.written.inference != Inference::none;
   const Standpoint here = standpoint_of_proofs(place, row.parsed);
   const NeighbourProof follows = [&](ExprTree& tree, const Names& read, const Claim& near,
-                                     Slip) -> std::optional<std::vector<std::string>> {
+                                     Slip slip) -> std::optional<std::vector<std::string>> {
+    if (marks_only && slip != Slip::rate && slip != Slip::prime) return std::nullopt;
     Judgement found = judge(tree, read, near, limits_of_candidates, &cache);
     if (found.verdict != Verdict::proved || !found.diagnostics.empty()) {
       auto from_laws = follow_from_laws(tree, read, near, grounds.founded, inferred, cache);
@@ -156,7 +194,8 @@ std::vector<Repair> near_as_read(RowPlace& place, const StepReading& row, const 
       found = *std::move(from_laws);
     }
     found = heed_cases(tree, read, near, std::move(found), here, &cache);
-    if (found.verdict != Verdict::proved) return std::nullopt;
+    if (found.verdict != Verdict::proved || differentiates_a_constant(tree, near.equation, found.uses))
+      return std::nullopt;
     return std::move(found.uses);
   };
   const WrongStep wrong = as_wrong(place, row);
@@ -182,34 +221,42 @@ std::optional<Evidence> evidence_beside(const RowPlace& place, const ParsedChain
   for (std::size_t k = place.event; k > 0 && !heading; --k) {
     if (std::holds_alternative<Heading>(place.notes.events[k - 1])) heading = k - 1;
   }
-  Evidence others = evidence_of_section(place.sources, place.notes, heading, &parsed);
+  Evidence others = evidence_of_section(place.sources, place.notes, heading, parsed.written.span);
   const bool same =
       others.changing == all.changing && others.may_change == all.may_change && others.primed == all.primed;
   return same ? std::nullopt : std::optional(std::move(others));
 }
 
 std::vector<Repair> what_is_near(RowPlace& place, const StepReading& row, const Claim& claim, bool unread) {
-  std::vector<Repair> near = near_as_read(place, row, claim, unread);
+  std::vector<Repair> near = near_as_read(place, row, claim, unread, false);
   if (!near.empty() || !has_marks(row.parsed)) return near;
   if (auto others = evidence_beside(place, row.parsed)) {
-    RowPlace there = seen_in(place, place.tree, place.names);
+    ExprTree tree = place.tree;
+    RowPlace there = seen_in(place, tree, place.names);
     there.names.symbols.evidence = Shared(*std::move(others));
-    near = near_as_read(there, row, claim, unread);
+    near = near_as_read(there, row, claim, unread, true);
   }
   return near;
 }
 
-/// A suspect names what it is suspected to be first.
+bool negates(const Repair& repair) {
+  return repair.replacement == "-" + repair.replaced || repair.replaced == "-" + repair.replacement;
+}
+
+/// A suspect names what it is suspected to be first. Where that has another sign on one side, the same on the
+/// other side says nothing new.
 void add_others(std::vector<Repair>& repairs, std::vector<Repair> near) {
   for (Repair& each : near) {
-    const bool known = std::ranges::find(repairs, each.statement, &Repair::statement) != repairs.end();
+    const bool known = std::ranges::find(repairs, each.statement, &Repair::statement) != repairs.end() ||
+                       (negates(each) && negates(repairs.front()));
     if (!known && repairs.size() < most_repairs) repairs.push_back(std::move(each));
   }
 }
 
 /// The last of what is said of the row helps with it.
 void name_nearest(const std::vector<Repair>& near, Diagnostics& said) {
-  if (near.empty() || said.empty()) return;
+  const auto shows_them = [](const Diagnostic& each) { return shows_repairs(each.kind); };
+  if (near.empty() || said.empty() || std::ranges::any_of(said, shows_them)) return;
   const Repair& nearest = near.front();
   said.back().help.insert(
       said.back().help.begin(),
@@ -239,7 +286,8 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   const bool of_a_case = may_be_of_a_case(place, row.parsed);
   const bool restricted = judgement.verdict == Verdict::undecided || (of_a_case && row.which == 0);
   const Laws here = grounds_for_suspicion(place, available_to(place, row.parsed));
-  const Laws to_be_solved = judgement.verdict == Verdict::undecided ? Laws{} : here;
+  const bool solves = judgement.verdict != Verdict::undecided && goes_on_to_a_solution(place, row);
+  const Laws to_be_solved = solves ? here : Laws{};
   const Laws grounds = restricted ? Laws{} : without_cases(here);
   const bool may_lack_a_term = is_announced(place, row) && !of_a_case;
   Names names = as_said_here(place, row);
@@ -265,18 +313,15 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
                                               found->repair.statement, fmt::join(judgement.uses, ", ")),
                             {},
                             {"`rigor: law next` says that it is meant as it stands"}}};
+  found->repair.uses = judgement.uses;
   judgement.repairs = {std::move(found->repair)};
   return true;
 }
 
 bool is_told_what_is_near(const RowPlace& place, const StepReading& row, Verdict verdict) {
-  const bool asks = verdict == Verdict::undecided || verdict == Verdict::not_understood ||
-                    verdict == Verdict::suspect ||
+  const bool asks = verdict == Verdict::undecided || verdict == Verdict::suspect ||
                     (verdict == Verdict::law && place.options.repairs == Repairs::and_of_laws);
-  const Span chain = row.parsed.written.span;
-  const auto at = place.options.near_at;
-  const bool elsewhere = at && (*at < chain.begin || chain.end <= *at);
-  return asks && !elsewhere && may_hold_a_slip(place, row);
+  return asks && may_be_offered(place, row);
 }
 
 void offer_what_is_near(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
@@ -288,7 +333,10 @@ void offer_what_is_near(RowPlace& place, const StepReading& row, const Claim& cl
 }
 
 void offer_what_is_near_unread(const RowPlace& place, const StepReading& row, Step& step) {
-  if (!is_told_what_is_near(place, row, step.verdict)) return;
+  const auto asks_something = [](const Diagnostic& each) { return each.kind == DiagnosticKind::hole; };
+  if (!place.heeds_words || !may_be_offered(place, row) || place.options.cache->budget().exhausted() ||
+      std::ranges::any_of(step.diagnostics, asks_something))
+    return;
   ExprTree tree = place.tree;
   RowPlace there = seen_in(place, tree, place.names);
   auto claim = nearest_claim(tree, there.names, as_wrong(place, row));

@@ -26,10 +26,10 @@ std::vector<std::size_t> beginnings(const Notes& notes, std::optional<std::size_
   return begins;
 }
 
-void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, const ParsedChain* but,
+void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, std::optional<Span> without,
                 Evidence& evidence) {
   for (const ParsedChain& chain : chains) {
-    if (&chain == but) continue;
+    if (chain.written.span == without) continue;
     for (const SyntaxId side : chain.sides) {
       see_kinds(notes.syntax, side, evidence);
       see_changing(notes.syntax, side, evidence);
@@ -69,7 +69,7 @@ void see_between(const SourceMap& sources, Span before, Span behind, Evidence& e
 }  // namespace
 
 Evidence evidence_of_section(const SourceMap& sources, const Notes& notes, std::optional<std::size_t> heading,
-                             const ParsedChain* but) {
+                             std::optional<Span> without) {
   Evidence evidence;
   for (const std::size_t begin : beginnings(notes, heading)) {
     Span last{notes.file, 0, 0};
@@ -93,7 +93,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes, std::
       }
       last = place;
       if (const auto* display = std::get_if<ParsedDisplay>(&notes.events[k]))
-        see_chains(notes, display->chains, but, evidence);
+        see_chains(notes, display->chains, without, evidence);
       if (const auto* placed = std::get_if<PlacedDirective>(&notes.events[k])) {
         for (const SyntaxId symbol : placed->directive.symbols) {
           see_kinds(notes.syntax, symbol, evidence);
@@ -101,7 +101,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes, std::
           if (kind == DirectiveKind::complex || kind == DirectiveKind::scalar)
             see_declared_complex(notes.syntax.symbol(symbol), kind == DirectiveKind::complex, evidence);
         }
-        see_chains(notes, placed->directive.chains, but, evidence);
+        see_chains(notes, placed->directive.chains, without, evidence);
       }
     }
     for (const SaidInLine& said : notes.prose.said) {

@@ -12,10 +12,10 @@
 namespace rigor {
 
 /// Of the section whose heading is event `heading`, up to the next heading, and of the sections around it;
-/// without one, of what comes before the first heading. `but`: this chain shows nothing. Cost: linear in
-/// these sections.
+/// without one, of what comes before the first heading. `without`: the chain there shows nothing. Cost:
+/// linear in these sections.
 [[nodiscard]] Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
                                            std::optional<std::size_t> heading,
-                                           const ParsedChain* but = nullptr);
+                                           std::optional<Span> without = {});
 
 }  // namespace rigor

@@ -108,7 +108,7 @@ void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& co
   Diagnostics mismatches;
   auto claim = row.reading.claim(row.parsed, row.which, row.first_order, mismatches);
   step.diagnostics.insert(step.diagnostics.end(), mismatches.begin(), mismatches.end());
-  if (!claim) return;
+  if (!claim) return offer_what_is_near_unread(place, row, step);
   claim->recorded = row.recorded = recorded_of(walk, step);
   if (row.role == Role::given)
     return add_assumption(walk, left, right, claim->equation, row.parsed, row.which, context, step);
@@ -215,9 +215,9 @@ void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainRe
       walk.above.unread_rows.emplace_back(walk.notes.prose.beside[walk.event].place, step.span);
   } else if (row.left().typed && row.right().typed) {
     follow_row(walk, place, row, context, step);
-  }
-  if (place.heeds_words && step.verdict == Verdict::not_understood)
+  } else {
     offer_what_is_near_unread(place, row, step);
+  }
   take_over(walk, std::move(place.found));
   doubt_errors(walk.notes.syntax, walk.names, parsed, which, step.diagnostics);
   if (only_asks(step.diagnostics)) step.verdict = Verdict::undecided;

@@ -98,10 +98,12 @@ class Exchanger {
     return letters;
   }
 
+  /// The d of `dx` is no letter to put in.
   void replace(const PlacedLetter& letter, const std::vector<FacedLetter>& others) {
     const TokenView whole = side_.subspan(letter.begin, letter.end - letter.begin);
     for (const FacedLetter& other : others) {
-      if (other.face == letter.face && other.token[0].text != side_[letter.at].text)
+      const bool of_differential = other.token[0].text == "d" && differentiates_;
+      if (!of_differential && other.face == letter.face && other.token[0].text != side_[letter.at].text)
         add(Slip::letter, letter.at, letter.at + 1, {other.token[0]}, whole);
     }
   }
@@ -401,6 +403,7 @@ class Exchanger {
 
   TokenView side_;
   const std::vector<TokenView>& chain_;
+  bool differentiates_ = std::ranges::any_of(chain_, differentiates);
   std::vector<TokenView> factors_;
   std::vector<Tokens> components_;
   std::vector<Rewriting> rewritings_;

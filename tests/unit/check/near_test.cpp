@@ -173,3 +173,32 @@ TEST_CASE("no fraction that is one is offered") {
        offered(last_step(page + "$$\\frac{x'}{\\gamma} = \\frac12x$$", Repairs::of_unexpected)))
     CHECK(statement.find("\\frac22") == std::string::npos);
 }
+
+TEST_CASE("what is not decided has nothing near it") {
+  const std::string page = "The speed is $$v = \\beta c \\tag{1}$$ and ";
+  for (const char* row : {"$$v \\ll 2\\beta c$$", "$$v \\propto 2\\beta c$$", "$$v = ? + 2\\beta c$$"})
+    CHECK(offered(last_step(page + row, Repairs::and_of_laws)).empty());
+}
+
+TEST_CASE("what is constant since nothing differentiates it is not differentiated near by") {
+  for (const char* row : {"$$\\dot u_0 = 2\\dot w_0$$", "$$\\dot\\pi = -kq$$", "$$ab = 0$$"})
+    CHECK(offered(last_step(row, Repairs::and_of_laws)).empty());
+  const std::vector<std::string> found =
+      offered(last_step("$$\\frac{d}{dt}(uw) = 2u\\dot w$$", Repairs::and_of_laws));
+  CHECK(std::ranges::find(found, "\\frac{d}{dt}(uw) + u\\dot w = 2u\\dot w") == found.end());
+}
+
+TEST_CASE("a value at a place has no value at another place near it") {
+  for (const char* row : {"$$w(0) = 0$$", "$$f'(0) = 0$$"})
+    CHECK(offered(last_step(row, Repairs::and_of_laws)).empty());
+}
+
+TEST_CASE("the help is said once, and not where the offer is a mended slip of indices") {
+  const Step step =
+      last_step(rigor_says("given a < 0") + "$$(\\sqrt a)^2 + b = 2b + a$$", Repairs::of_unexpected);
+  std::size_t said = 0;
+  for (const Diagnostic& diagnostic : step.diagnostics)
+    said += static_cast<std::size_t>(std::ranges::count_if(
+        diagnostic.help, [](const std::string& help) { return help.starts_with("one slip away"); }));
+  CHECK(said <= 1);
+}
