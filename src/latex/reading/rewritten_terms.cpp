@@ -121,10 +121,14 @@ enum class Role : std::uint8_t { none, letter, index };
 std::vector<Role> roles_of(TokenView term) {
   static const WordSet greek("alpha beta gamma theta phi psi omega Omega lambda tau sigma rho");
   std::vector<Role> roles(term.size(), Role::none);
+  const auto is_name = [&](std::size_t k) {
+    return k < term.size() && (term[k].kind == TokenKind::letter ||
+                               (term[k].kind == TokenKind::control && greek.contains(term[k].text)));
+  };
   for (std::size_t k = 0; k < term.size(); ++k) {
-    const bool letter = term[k].kind == TokenKind::letter ||
-                        (term[k].kind == TokenKind::control && greek.contains(term[k].text));
-    if (letter) roles[k] = Role::letter;
+    const bool of_differential =
+        term[k].text == "d" && term[k].kind == TokenKind::letter && is_name(k + 1);  // `d\omega`
+    if (is_name(k) && !of_differential) roles[k] = Role::letter;
   }
   for (std::size_t k = 0; k < term.size(); ++k) {
     if (is_control(term[k], "text") || is_control(term[k], "mathrm")) {
