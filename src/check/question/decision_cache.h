@@ -68,7 +68,7 @@ class ShareOfWork {
     cache_.budget() = Budget(std::min(of_step_.left(), most));
   }
   ~ShareOfWork() {
-    of_step_.count(std::min(cache_.budget().used(), of_step_.left()));
+    if (!of_step_.exhausted()) of_step_.count(std::min(cache_.budget().used(), of_step_.left()));
     cache_.budget() = of_step_;
   }
   ShareOfWork(const ShareOfWork&) = delete;
