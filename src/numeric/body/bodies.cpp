@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "numeric/body/body_errors.h"
 #include "numeric/body/inertia.h"
+#include "numeric/body/known_moments.h"
 #include "numeric/kernels/principal_moments.h"
 #include "numeric/lane/double_double.h"
 
@@ -79,6 +80,12 @@ KnownInertia inertia_of(const SecondMoments& second, double mass, double mass_er
   return known;
 }
 
+std::shared_ptr<const ExactMoments> along_axis(ExactMoments moments, std::size_t step) {
+  for (Position& axis : moments.axes)
+    std::ranges::rotate(axis, axis.end() - static_cast<std::ptrdiff_t>(step));
+  return std::make_shared<const ExactMoments>(std::move(moments));
+}
+
 /// The places of a part's particles in the whole; `place` is the part's.
 void add_places(Body& whole, const Body& part, std::size_t axis, double place) {
   const std::vector<double> errors = place_errors(part, axis);
@@ -112,6 +119,7 @@ Body along_axis(Body body, std::size_t axis) {
         body.known->low[(i + step) % 3][(j + step) % 3] = low[i][j];
       }
     }
+    if (body.known->exact != nullptr) body.known->exact = along_axis(*body.known->exact, step);
   }
   return body;
 }
@@ -185,7 +193,9 @@ Result<Body> body_with_inertia(std::string name, double mass, const InertiaTenso
     }
   }
   Result<Body> body = equimomental_body(std::move(name), mass, second);
-  if (body) body->known = KnownInertia{.mass = mass, .inertia = inertia, .is_sharp = true};
+  if (!body) return body;
+  body->known = KnownInertia{.mass = mass, .inertia = inertia, .is_sharp = true};
+  tell_moments_apart(*body->known, [&] { return exact_tensor(inertia); });
   return body;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/splitmix.h"
+#include "numeric/body/known_moments.h"
 #include "numeric/kernels/point_sample.h"
 #include "numeric/lane/double_double.h"
 #include "numeric/program/uniform.h"
@@ -108,6 +109,7 @@ Result<Body> point_masses(std::string name, const std::vector<double>& masses,
     for (std::size_t axis = 0; axis < 3; ++axis) body.positions[axis].push_back(position[axis]);
   }
   if (const auto sums = sharp_mass_sums(points_of(body))) body.known = known_inertia(*sums);
+  if (body.known) tell_moments_apart(*body.known, [&] { return exact_inertia(points_of(body)); });
   return centred(std::move(body));
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "numeric/body/bodies.h"
+#include "numeric/body/known_moments.h"
 #include "numeric/kernels/mesh_sums.h"
 #include "numeric/mesh/mesh_parts.h"
 
@@ -46,6 +47,27 @@ std::size_t count_degenerate(const Mesh& mesh) {
 /// More than that lost to the determinants, and parts are taken one by one.
 constexpr double much_lost = 0x1p-60;
 
+SecondMoments second_moments_of(const MeshMass& mass) {
+  SecondMoments second{{}, mass.error};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) second.moments[i][j] = {mass.second_moments[i][j], mass.low[i][j]};
+  return second;
+}
+
+template <class InertiaOf>
+Result<Body> body_of(std::string name, const MeshMass& enclosed, double mass, double mass_error,
+                     const InertiaOf& exact_inertia) {
+  if (!std::isfinite(mass) || mass <= 0)
+    return refuse(fmt::format("the mesh has the mass {} kg, which must be finite and positive", mass));
+  auto body = equimomental_body(std::move(name), mass, second_moments_of(enclosed), mass_error);
+  if (!body) return body;
+  body->known->is_sharp = enclosed.is_sharp;
+  if (enclosed.exact == nullptr) return body;
+  if (const auto moments = exact_moments(exact_inertia(*enclosed.exact)))
+    body->known->exact = std::make_shared<const ExactMoments>(*moments);
+  return body;
+}
+
 /// In one, or, where that loses digits, by its parts. A part may be refused that alone encloses no volume.
 Result<MeshMoments> moments_of_surface(const Mesh& surface, MeshSharpness sharpness) {
   auto whole = mesh_moments(surface.vertices, surface.triangles, sharpness);
@@ -73,6 +95,8 @@ Result<MeshMass> in_unit(MeshMass enclosed, double unit) {
     }
   }
   enclosed.error = 2 * enclosed.error * square + 0x1p-1072;
+  if (enclosed.exact != nullptr)
+    enclosed.exact = std::make_shared<const ExactSolid>(times_unit(*enclosed.exact, unit));
   if (!std::isfinite(enclosed.volume)) return refuse("the volume overflows");
   if (enclosed.volume < std::numeric_limits<double>::min()) return refuse("the volume underflows");
   return enclosed;
@@ -102,20 +126,20 @@ Result<MeshMass> mesh_mass(const Mesh& mesh, MeshSharpness sharpness) {
       mass.error = std::max(mass.error, moments->errors.second_moments[i][j]);
     }
   }
+  if (mass.is_sharp && may_have_equal_moments(moments->second_moments, mass.error)) {
+    if (const auto solid = exact_solid(*surface)) mass.exact = std::make_shared<const ExactSolid>(*solid);
+  }
   return mass;
 }
 
-Result<Body> mesh_body(std::string name, const MeshMass& enclosed, double mass, double mass_error) {
-  if (!std::isfinite(mass) || mass <= 0)
-    return refuse(fmt::format("the mesh has the mass {} kg, which must be finite and positive", mass));
-  SecondMoments second{{}, enclosed.error};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j)
-      second.moments[i][j] = {enclosed.second_moments[i][j], enclosed.low[i][j]};
-  }
-  auto body = equimomental_body(std::move(name), mass, second, mass_error);
-  if (body) body->known->is_sharp = enclosed.is_sharp;
-  return body;
+Result<Body> mesh_body(std::string name, const MeshMass& enclosed, double mass) {
+  return body_of(std::move(name), enclosed, mass, 0,
+                 [mass](const ExactSolid& solid) { return inertia_with_mass(solid, mass); });
+}
+
+Result<Body> mesh_body_of_density(std::string name, const MeshMass& enclosed, double density) {
+  return body_of(std::move(name), enclosed, density * enclosed.volume, enclosed.volume_error + 0x1p-53,
+                 [density](const ExactSolid& solid) { return inertia_with_density(solid, density); });
 }
 
 }  // namespace rigor

@@ -2,6 +2,7 @@
 // Closed triangle meshes and the homogeneous bodies that they enclose.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "numeric/body/body.h"
@@ -9,6 +10,8 @@
 #include "numeric/kernels/triangles.h"
 
 namespace rigor {
+
+struct ExactSolid;
 
 /// Vertices at the same place become one (−0 is 0), in the order in which they come first. Triangles with two
 /// corners that coincide are left out, and so are vertices that are then no corner. Cost: O(N), 6 ns a
@@ -33,6 +36,8 @@ struct MeshMass {
   InertiaTensor low{};             // to be added to the second moments
   double volume_error = 0;         // bounds of errors: relative to the volume,
   double error = 0;                // of any second moment, m²
+  /// In integers, where the above leaves open whether two of its moments differ.
+  std::shared_ptr<const ExactSolid> exact = {};
 };
 
 /// In a unit of length that is `unit` of the mesh's. Fails where something overflows.
@@ -46,9 +51,9 @@ struct MeshMass {
 [[nodiscard]] Result<MeshMass> mesh_mass(const Mesh& mesh,
                                          MeshSharpness sharpness = MeshSharpness::if_needed);
 
-/// The homogeneous body of that mass as six particles (`equimomental_body`), along the axes of the mesh;
-/// `mass_error`: relative to the mass.
-[[nodiscard]] Result<Body> mesh_body(std::string name, const MeshMass& enclosed, double mass,
-                                     double mass_error = 0);
+/// The homogeneous body of that mass, or of that density, as six particles (`equimomental_body`), along the
+/// axes of the mesh.
+[[nodiscard]] Result<Body> mesh_body(std::string name, const MeshMass& enclosed, double mass);
+[[nodiscard]] Result<Body> mesh_body_of_density(std::string name, const MeshMass& enclosed, double density);
 
 }  // namespace rigor

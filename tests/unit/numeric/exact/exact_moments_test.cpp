@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/exact/exact_moments.h"
+
+#include <cmath>
+
+#include "base/splitmix.h"
+#include "catch.h"
+#include "numeric/climb.h"
+#include "numeric/exact/exact_tensor.h"
+#include "numeric/kernels/jacobi_reference.h"
+#include "numeric/kernels/mesh_families.h"
+#include "numeric/meshes.h"
+#include "numeric/program/uniform.h"
+
+namespace rigor {
+namespace {
+
+using Digits = Decimal<700>;
+using Rational = boost::multiprecision::cpp_rational;
+
+Rational entry(const ExactTensor& tensor, std::size_t i, std::size_t j) {
+  const Rational power = Integer(1) << std::abs(tensor.exponent);
+  const Rational x(tensor.entries[i][j], tensor.divisor);
+  return tensor.exponent < 0 ? Rational(x / power) : Rational(x * power);
+}
+
+InertiaTensor tensor_of(const Position& diagonal, const Position& off) {
+  InertiaTensor tensor{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    tensor[i][i] = diagonal[i];
+    tensor[(i + 1) % 3][(i + 2) % 3] = tensor[(i + 2) % 3][(i + 1) % 3] = off[i];
+  }
+  return tensor;
+}
+
+Digits digits_of(const LongNumber& number) {
+  Digits above = 0;
+  Digits below = 0;
+  for (const double part : number.parts) above += part;
+  for (const double part : number.divisor) below += part;
+  return above / below;
+}
+
+/// The greatest error of a moment over its bound, where 690 digits show any.
+double beside_bound(const InertiaTensor& tensor) {
+  const auto found = exact_moments(exact_tensor(tensor));
+  REQUIRE(found);
+  const std::array<Digits, 3> exact = JacobiReference<Digits>(tensor).moments;
+  double worst = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Digits shown = Digits(found->moments[k].error) + abs(exact[2]) * Digits("1e-690");
+    const Digits error = abs(digits_of(found->moments[k]) - exact[k]);
+    worst = std::max(worst, static_cast<double>(Digits(error / shown)));
+    if (k > 0) {
+      const Digits gap = exact[k] - exact[k - 1];
+      CHECK(abs(gap - found->principal.gaps[k - 1]) <= 0x1p-52 * gap + abs(exact[2]) * Digits("1e-690"));
+    }
+  }
+  return worst;
+}
+
+TEST_CASE("moments that are equal are told exactly, and rational", "[exact]") {
+  const auto isotropic = exact_moments(exact_tensor(tensor_of({0.3, 0.3, 0.3}, {})));
+  REQUIRE(isotropic);
+  CHECK(isotropic->principal.gaps == std::array<double, 2>{0, 0});
+  CHECK(isotropic->moments[0].error == 0);
+  CHECK(digits_of(isotropic->moments[1]) == Digits(0.3));
+  // 2 1 − n n for n = (1, 1, 1): moments −1, 2, 2.
+  const auto turned = exact_moments(exact_tensor(tensor_of({1, 1, 1}, {-1, -1, -1})));
+  REQUIRE(turned);
+  CHECK(turned->principal.gaps == std::array<double, 2>{3, 0});
+  CHECK(digits_of(turned->moments[0]) == -1);
+  CHECK(digits_of(turned->moments[2]) == 2);
+  CHECK(std::abs(turned->axes[0][0]) == Approx(std::sqrt(1 / 3.)).epsilon(1e-15));
+  const auto oblate = exact_moments(exact_tensor(tensor_of({2, 2, 5}, {})));
+  REQUIRE(oblate);
+  CHECK(oblate->principal.gaps == std::array<double, 2>{0, 3});
+}
+
+TEST_CASE("gaps that are not 0 have their digits, however small they are", "[exact]") {
+  const auto found = exact_moments(exact_tensor(tensor_of({0.3, 0.3, 0.3}, {1e-78, 1e-83, 0})));
+  REQUIRE(found);
+  CHECK(found->principal.gaps[0] == Approx(1e-78).epsilon(1e-9));
+  CHECK(found->principal.gaps[1] == Approx(1e-78).epsilon(1e-9));
+  CHECK(beside_bound(tensor_of({0.3, 0.3, 0.3}, {1e-78, 1e-83, 0})) <= 1);
+  CHECK(beside_bound(tensor_of({26, 31, 22}, {1e-76, 0, 6})) <= 1);
+  CHECK(beside_bound(tensor_of({1, 1, 1}, {0, 0, 1e-280})) <= 1);
+  // A moment that is 0 is 0, beside others that are not rational.
+  const auto rod = exact_moments(exact_tensor(tensor_of({2, 3, 0}, {0, 0, 1})));
+  REQUIRE(rod);
+  CHECK(rod->moments[0].parts.empty());
+  CHECK(rod->moments[0].error == 0);
+  CHECK(rod->moments[1].error > 0);
+}
+
+TEST_CASE("climbing for the worst error of an exact moment ends below its bound", "[exact]") {
+  SplitMix bits(3);
+  const auto changed = [&](InertiaTensor tensor) {
+    const std::size_t i = bits.below(3);
+    const std::size_t j = bits.below(3);
+    const double scale = std::pow(10, -60 * uniform(bits));
+    const double entry = i == j ? 0.3 + scale * uniform_sign(bits) : scale * uniform_sign(bits);
+    tensor[i][j] = tensor[j][i] = bits.below(4) == 0 ? (i == j ? 0.3 : 0) : entry;
+    return tensor;
+  };
+  const double worst = climbed(tensor_of({0.3, 0.3, 0.3}, {}), 80, changed, beside_bound);
+  CHECK(worst <= 1);
+  CHECK(worst > 1e-6);  // so that the bound says something
+}
+
+TEST_CASE("points have the inertia of rational numbers about their centre", "[exact]") {
+  SplitMix bits(4);
+  std::vector<double> numbers;
+  for (int k = 0; k < 20; ++k) {
+    for (int i = 0; i < 3; ++i) numbers.push_back(uniform_sign(bits) * std::pow(10, 30 * uniform_sign(bits)));
+    numbers.push_back(uniform(bits) * std::pow(10, 30 * uniform_sign(bits)));
+  }
+  const ExactTensor inertia = exact_inertia(point_records(numbers.data(), 20));
+  Rational mass = 0;
+  std::array<Rational, 3> centre;
+  for (std::size_t k = 0; k < 20; ++k) {
+    mass += Rational(numbers[4 * k + 3]);
+    for (std::size_t i = 0; i < 3; ++i)
+      centre[i] += Rational(numbers[4 * k + 3]) * Rational(numbers[4 * k + i]);
+  }
+  std::array<std::array<Rational, 3>, 3> second;
+  for (std::size_t k = 0; k < 20; ++k) {
+    std::array<Rational, 3> r;
+    for (std::size_t i = 0; i < 3; ++i) r[i] = Rational(numbers[4 * k + i]) - centre[i] / mass;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) second[i][j] += Rational(numbers[4 * k + 3]) * r[i] * r[j];
+  }
+  const Rational trace = second[0][0] + second[1][1] + second[2][2];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      CHECK(entry(inertia, i, j) == (i == j ? Rational(trace - second[i][j]) : Rational(-second[i][j])));
+}
+
+TEST_CASE("what a mesh encloses has the moments of the faces' integrals", "[exact]") {
+  Mesh mesh = shifted(sphere_mesh(1), 1e6);
+  for (Position& vertex : mesh.vertices) vertex[1] *= 1e-3;
+  const MeshReference reference = mesh_reference(mesh);
+  for (const double unit : {1., 1e-3}) {
+    const auto found = exact_solid(mesh);
+    REQUIRE(found);
+    const ExactSolid solid = times_unit(*found, unit);
+    const ExactTensor inertia = inertia_with_mass(solid, 2.5);
+    const ExactTensor of_density = inertia_with_density(solid, 2.5);
+    const Digits100 volume = reference.volume * unit * unit * unit;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        Digits100 exact = i == j ? Digits100(0) : Digits100(-reference.second[i][j]);
+        for (std::size_t k = 0; k < 3; ++k)
+          if (i == j && k != i) exact += reference.second[k][k];
+        exact *= Digits100(unit) * unit * 2.5;
+        CHECK(abs(Digits100(entry(inertia, i, j)) - exact) <= abs(exact) * Digits100("1e-80"));
+        CHECK(abs(Digits100(entry(of_density, i, j)) - exact * volume) <=
+              abs(exact * volume) * Digits100("1e-80"));
+      }
+    }
+  }
+  CHECK(!exact_solid(
+      {{{0, 0, 0}, {1e-200, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}}));
+}
+
+}  // namespace
+}  // namespace rigor
