@@ -53,6 +53,12 @@ double SceneBody::sharp_tensor_error() {
 Position SceneBody::moment_errors() {
   const auto& found = moments();
   if (!found) return unknown;
+  if (exact() != nullptr) {
+    Position errors{};
+    for (std::size_t k = 0; k < 3; ++k)
+      errors[k] = digits_of_moment(k)->error + 0x1p-104 * std::abs((*found)[k].high) + 0x1p-1070;
+    return errors;
+  }
   // |E| ≤ 3 max |E_ij|; the solver's 64 v of the Frobenius norm, which is at most 3 times an entry.
   const double solver = 0x1p-98 * greatest_moment(*found) + 0x1p-1070;
   const double off = 3 * sharp_tensor_error();
@@ -61,13 +67,15 @@ Position SceneBody::moment_errors() {
   return errors;
 }
 
+double SceneBody::axes_off() { return exact() != nullptr ? 0 : 3 * sharp_tensor_error(); }
+
 Position SceneBody::turning_errors() {
   const auto along = is_along_principal_axes();
   if (!along) return unknown;
   if (*along) return {};
   const auto& found = moments();
   if (!found) return unknown;
-  Position errors = turned_by(*found, 3 * sharp_tensor_error());
+  Position errors = turned_by(*found, axes_off());
   for (double& error : errors) error += axis_rounding;
   return errors;
 }

@@ -92,8 +92,11 @@ void SceneEvaluation::evaluate_one(Asked& asked) {
     report(DiagnosticKind::bad_scene, asked.ask->name.span, fmt::format("`{}` is not finite", name));
   }
   if (scene_.errors) {
-    quantity.error = ledger_.compute("rounding errors of " + name, "asked for by `errors`",
-                                     [&] { return error_bounds(*asked.program, samples, quantity.value); });
+    BoundedResults enclosed = ledger_.compute("rounding errors of " + name, "asked for by `errors`", [&] {
+      return enclosures(*asked.program, samples, std::move(quantity.value));
+    });
+    quantity.value = std::move(enclosed.values);
+    quantity.error = std::move(enclosed.bounds);
   }
   if (result_.motion && (over_time || reads(*asked.program, spin_symbols_))) follow_motion(asked, quantity);
   result_.quantities.push_back(std::move(quantity));
