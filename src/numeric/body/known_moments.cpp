@@ -13,7 +13,7 @@ bool may_have_equal_moments(const SharpTensor& tensor, double error) {
   for (const HighLow& moment : found->moments) greatest = std::max(greatest, std::abs(moment.high));
   // A moment moves by |E| ≤ 3 max |E_ij| at most (H. Weyl), and a gap by twice that; six bits are to be left
   // of it.
-  return !(std::ranges::min(found->gaps) > 0x1p6 * (6 * error + 0x1p-97 * greatest));
+  return !(std::ranges::min(found->gaps) > 0x1p6 * (6 * error + 2 * moments_error * greatest));
 }
 
 void tell_moments_apart(KnownInertia& known, const std::function<std::optional<ExactTensor>()>& exact) {

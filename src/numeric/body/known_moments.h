@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// Does a tensor that is known to `error` of each entry leave less than six bits of a gap between its
-/// moments? 2^-97 of the greatest moment is allowed for the solver.
+/// moments, as they are found in double-double?
 [[nodiscard]] bool may_have_equal_moments(const SharpTensor& tensor, double error);
 
 /// Puts in the exact moments of a tensor where those of what is known may be equal; costs 1 us elsewhere.

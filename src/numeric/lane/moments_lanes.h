@@ -7,9 +7,10 @@
 // * S = MᵀbM in double-double, nearly diagonal, M a rotation exactly: `nearly_diagonal_lanes.h`;
 // * the separate eigenvalue is decoupled to second order, the pair is a 2×2 problem whose gap √(δ² + 4o²)
 //   has no cancellation.
-// The absolute error of eigenvalues and gaps is at most `moments_rounding` v |b|, v = 2^-106; lanes in which
-// that is not small compared with a result say so: see `MomentsState`. That bound is not proved: 39 v was the
-// worst in 3e5 tensors of all kinds. Cost: some 730 operations, 4 divisions and 6 roots; axes 100 more.
+// The absolute error of an eigenvalue is at most `proved_rounding` v |b|, v = 2^-106, and that of a gap at most
+// twice that, for every tensor: moments_proof_test.cpp runs these templates on bounds instead of numbers. 39 v
+// was the worst in 3e5 tensors of all kinds; lanes in which `moments_rounding` v is not small compared with a
+// result say so: see `MomentsState`. Cost: some 730 operations, 4 divisions and 6 roots; axes 100 more.
 #pragma once
 
 #include "numeric/lane/moments_columns.h"
@@ -26,10 +27,15 @@ struct Eigensystem {
 };
 
 inline constexpr double moments_rounding = 64;
+inline constexpr double proved_rounding = 16384;
 /// How large an eigenvalue or a gap must be compared with its absolute error: 8 u.
 inline constexpr double good_beside = 0x1p-50;
 /// Where S is less diagonal than that, terms of third order count: 2^-114 of b otherwise.
 inline constexpr double nearly_diagonal = 0x1p-38;
+/// The same for S₀₁, of which the gap of the pair is made: 2^-49.8 was the most in 2e7 tensors of all kinds.
+inline constexpr double nearly_diagonal_pair = 0x1p-46;
+/// Of |q|⁴ − 1: 24 u, unless something underflowed.
+inline constexpr double most_excess = 0x1p-48;
 /// Entries of b below this are left out: an error of 2^-150, and no product of theirs underflows.
 inline constexpr double negligible = 0x1p-150;
 /// The sizes of b between which neither its scale nor its eigenvalues leave the range of normal numbers.
@@ -86,8 +92,9 @@ RIGOR_INLINE NearlyDiagonal<T> solved(const NearlyDiagonalTensor<T>& s) {
   const T outwards = r.tangent * twice * 0.5;
   const T more[3] = {shift[0] + outwards, shift[1] - outwards, -(shift[0] + shift[1])};
   for (int i = 0; i < 3; ++i) r.values[i] = {s.diagonal[i].high, s.diagonal[i].low + more[i]};
-  const T rest = greater(greater(absolute(r.towards[0]), absolute(r.towards[1])), absolute(s.pair));
-  r.wrong = negation(rest < nearly_diagonal) | (rate == 0);
+  const T rest = greater(absolute(r.towards[0]), absolute(r.towards[1]));
+  r.wrong =
+      negation(rest < nearly_diagonal) | negation(absolute(s.pair) < nearly_diagonal_pair) | (rate == 0);
   return r;
 }
 
@@ -206,7 +213,8 @@ RIGOR_INLINE Eigensystem<T> eigensystem(const Reduced<T>& r, const Rotation<T>& 
   e.state = select(negation(gap * r.power * good_beside >= bound * r.power + rounding_of_tiny),
                    all<T>(MomentsState::small_gap), T{}) +
             select(small, all<T>(MomentsState::small_moment), T{});
-  e.state = select(r.wrong | d.wrong, all<T>(MomentsState::lost), e.state);
+  const auto wrong = r.wrong | d.wrong | negation(absolute(m.excess) < most_excess);
+  e.state = select(wrong, all<T>(MomentsState::lost), e.state);
   if constexpr (with_axes) set_axes(e, m, d, exchanged, separate_first);
   return e;
 }

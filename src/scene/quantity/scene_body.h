@@ -43,8 +43,8 @@ class SceneBody {
   [[nodiscard]] const Result<Places>& places_along_axes();
 
   /// Bounds of the errors of what these give, for the body that was described (`BodyErrors`); infinite where
-  /// none is known, also where they fail. Of any entry of the tensor; of each moment, 64 v of the solver
-  /// taken for granted; of any component of each axis, and of each that particles are turned to.
+  /// none is known, also where they fail. Of any entry of the tensor; of each moment; of any component of
+  /// each axis, and of each that particles are turned to.
   [[nodiscard]] double tensor_error();
   [[nodiscard]] Position moment_errors();
   [[nodiscard]] Position axis_errors();

@@ -59,9 +59,8 @@ Position SceneBody::moment_errors() {
       errors[k] = digits_of_moment(k)->error + 0x1p-104 * std::abs((*found)[k].high) + 0x1p-1070;
     return errors;
   }
-  // |E| ≤ 3 max |E_ij|; the solver's 64 v of the Frobenius norm, which is at most 3 times an entry.
-  const double solver = 0x1p-98 * greatest_moment(*found) + 0x1p-1070;
-  const double off = 3 * sharp_tensor_error();
+  const double solver = moments_error * greatest_moment(*found) + 0x1p-1070;
+  const double off = 3 * sharp_tensor_error();  // |E| ≤ 3 max |E_ij|
   Position errors{};
   for (std::size_t k = 0; k < 3; ++k) errors[k] = off + solver + left_out_[k];
   return errors;
