@@ -12,53 +12,18 @@
 #include "numeric/kernels/jacobi_reference.h"
 #include "numeric/meshes.h"
 #include "numeric/program/uniform.h"
+#include "scene/exact_points.h"
 #include "scene/played_scene.h"
 
 namespace rigor {
 namespace {
 
-using Digits = Decimal<200>;
-using DigitsTensor = std::array<std::array<Digits, 3>, 3>;
-
-struct Points {
-  std::vector<double> masses;
-  std::vector<Position> places;
-
-  void add(double mass, const Position& at) {
-    masses.push_back(mass);
-    places.push_back(at);
-  }
-  [[nodiscard]] Body body() const { return *point_masses("points", masses, places); }
-
-  /// About their centre of mass.
-  [[nodiscard]] DigitsTensor inertia() const {
-    Digits mass = 0;
-    std::array<Digits, 3> centre{};
-    for (std::size_t k = 0; k < masses.size(); ++k) {
-      mass += masses[k];
-      for (std::size_t i = 0; i < 3; ++i) centre[i] += Digits(masses[k]) * places[k][i];
-    }
-    DigitsTensor inertia{};
-    for (std::size_t k = 0; k < masses.size(); ++k) {
-      std::array<Digits, 3> r;
-      for (std::size_t i = 0; i < 3; ++i) r[i] = places[k][i] - centre[i] / mass;
-      const Digits square = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j)
-          inertia[i][j] += masses[k] * ((i == j ? square : 0) - r[i] * r[j]);
-    }
-    return inertia;
-  }
-};
+using Digits = Digits200;
+using Points = ExactPoints;
 
 constexpr const char* all_of_it =
     "spin = [1, 2, 3]\nat = \"A thrown racket\"\naxes = \"principal\"\n[ask]\nerrors = true\nquantities = "
     "['(\\Omega_1)^2', '(\\Omega_2)^2', '(\\Omega_3)^2', 'principal moments', 'principal axes']\n";
-
-/// How much of a bound an error takes; 190 of 200 digits of the exact number are known.
-double part_of(const Digits& error, double bound) {
-  return static_cast<double>(Digits(abs(error) / (bound + Digits("1e-190"))));
-}
 
 /// The greatest part that the errors of what was printed take of their bounds, for the moments I, in their
 /// order.
