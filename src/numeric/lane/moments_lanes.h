@@ -7,10 +7,11 @@
 // * S = MᵀbM in double-double, nearly diagonal, M a rotation exactly: `nearly_diagonal_lanes.h`;
 // * the separate eigenvalue is decoupled to second order, the pair is a 2×2 problem whose gap √(δ² + 4o²)
 //   has no cancellation.
-// The absolute error of an eigenvalue is at most `proved_rounding` v |b|, v = 2^-106, and that of a gap at most
-// twice that, for every tensor: moments_proof_test.cpp runs these templates on bounds instead of numbers. 39 v
-// was the worst in 3e5 tensors of all kinds; lanes in which `moments_rounding` v is not small compared with a
-// result say so: see `MomentsState`. Cost: some 730 operations, 4 divisions and 6 roots; axes 100 more.
+// The absolute error of an eigenvalue is at most `proved_rounding` v |b|, v = 2^-106, and that of a gap at
+// most twice that, for every tensor: moments_proof_test.cpp runs these templates on bounds instead of
+// numbers. 39 v was the worst in 3e5 tensors of all kinds; lanes in which `moments_rounding` v is not small
+// compared with a result say so: see `MomentsState`. Cost: some 730 operations, 4 divisions and 6 roots; axes
+// 100 more.
 #pragma once
 
 #include "numeric/lane/moments_columns.h"

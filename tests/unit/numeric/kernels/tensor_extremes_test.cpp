@@ -146,5 +146,34 @@ TEST_CASE("climbing for the worst error of moments, gaps and axes ends below the
   CHECK(worst > 0.05);  // so that the bounds say something
 }
 
+TEST_CASE("climbing for the worst error of an enclosed gap ends below its bound, 4 u of gaps above 2^-37",
+          "[moments]") {
+  SplitMix bits(43);
+  const auto changed = [&](InertiaTensor tensor) {
+    const std::size_t i = bits.below(3);
+    const std::size_t j = bits.below(3);
+    tensor[i][j] = tensor[j][i] =
+        (i == j ? 1 : 0) + std::exp2(-40 * uniform(bits)) * uniform_sign(bits) * (i == j ? 0.5 : 1);
+    return tensor;
+  };
+  const auto badness = [](const InertiaTensor& tensor) {
+    const auto found = principal_moments(tensor);
+    REQUIRE(found);
+    const JacobiReference<Decimal<100>> exact(tensor);
+    double worst = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
+      const EnclosedGap gap = found->enclosed_gap(k, k - 1);
+      const Decimal<100> error = abs(exact.moments[k] - exact.moments[k - 1] - gap.value);
+      CHECK(error <= gap.error);
+      if (gap.value > 0x1p-37 * abs(found->moments[2].high)) CHECK(gap.error <= 4 * u * gap.value);
+      worst = std::max(worst, static_cast<double>(Decimal<100>(error / gap.error)));
+    }
+    return worst;
+  };
+  const double worst = climbed(tensor_of({1, 1.5, 0.7}, {0.1, 0.2, 0.3}), 400, changed, badness);
+  CHECK(worst <= 1);
+  CHECK(worst > 0.5);  // so that the bound says something
+}
+
 }  // namespace
 }  // namespace rigor
