@@ -20,6 +20,9 @@ namespace {
 /// The error of a centre of mass from sharp sums, relative to the extent of its body.
 constexpr double centre_rounding = 0x1p-90;
 
+/// 0.1 us each, which parts of bodies take whether they need it or not.
+constexpr std::size_t most_particles_in_integers = 1000;
+
 }  // namespace
 
 Result<void> check_count(const Body& body) {
@@ -109,7 +112,10 @@ Result<Body> point_masses(std::string name, const std::vector<double>& masses,
     for (std::size_t axis = 0; axis < 3; ++axis) body.positions[axis].push_back(position[axis]);
   }
   if (const auto sums = sharp_mass_sums(points_of(body))) body.known = known_inertia(*sums);
-  if (body.known) tell_moments_apart(*body.known, [&] { return exact_inertia(points_of(body)); });
+  if (body.known && body.size() <= most_particles_in_integers)
+    tell_moments_apart(*body.known, exact_body(points_of(body)));
+  else if (body.known)
+    tell_moments_apart(*body.known, [&] { return exact_body(points_of(body)).inertia; });
   return centred(std::move(body));
 }
 

@@ -17,6 +17,8 @@
 
 namespace rigor {
 
+struct ExactBody;
+
 /// What is known of a body without summing over its particles as they are held.
 struct KnownInertia {
   double mass = 0;
@@ -25,6 +27,7 @@ struct KnownInertia {
   bool is_sharp = false;                           // inertia + low is what is said of the body, to `error`
   double error = 0;                                // kg m², bound of the error of any entry
   double mass_error = 0;                           // bound, relative to the mass
+  std::shared_ptr<const ExactBody> integers = {};  // the same without an error: of what parts may be made of
   std::shared_ptr<const ExactMoments> exact = {};  // where the above leaves open whether moments differ
 };
 

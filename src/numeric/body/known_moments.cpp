@@ -27,4 +27,9 @@ void tell_moments_apart(KnownInertia& known, const std::function<std::optional<E
     known.exact = std::make_shared<const ExactMoments>(*moments);
 }
 
+void tell_moments_apart(KnownInertia& known, const ExactBody& exact) {
+  known.integers = std::make_shared<const ExactBody>(exact);
+  tell_moments_apart(known, [&] { return exact.inertia; });
+}
+
 }  // namespace rigor

@@ -16,4 +16,7 @@ namespace rigor {
 /// Puts in the exact moments of a tensor where those of what is known may be equal; costs 1 us elsewhere.
 void tell_moments_apart(KnownInertia& known, const std::function<std::optional<ExactTensor>()>& exact);
 
+/// The same, and puts in the body in integers.
+void tell_moments_apart(KnownInertia& known, const ExactBody& exact);
+
 }  // namespace rigor

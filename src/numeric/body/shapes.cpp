@@ -155,7 +155,7 @@ Result<KnownInertia> inertia_of(const Shape& shape) {
     known.low[i][i] = moment.low;
     known.error = std::max(known.error, 0x1p-100 * moment.high + 0x1p-1073);  // 45 v
   }
-  tell_moments_apart(known, [&] { return exact_inertia_of(shape); });
+  tell_moments_apart(known, exact_body(exact_inertia_of(shape), shape.mass));
   return known;
 }
 

@@ -56,9 +56,37 @@ ExactTensor inertia_of_solid(const ExactTensor& second_moments) {
   return inertia;
 }
 
+/// As small as they can be.
+ExactBody stripped(ExactBody body) {
+  if (body.mass != 0) {
+    const auto places = static_cast<unsigned>(lsb(body.mass));
+    body.mass >>= places;
+    body.mass_exponent += static_cast<int>(places);
+  }
+  ExactTensor& inertia = body.inertia;
+  Integer shared = inertia.divisor;
+  for (const auto& row : inertia.entries)
+    for (const Integer& entry : row) shared = gcd(shared, entry);
+  inertia.divisor /= shared;
+  for (auto& row : inertia.entries)
+    for (Integer& entry : row) entry /= shared;
+  return body;
+}
+
+ExactTensor sum_of_tensors(const ExactTensor& a, const ExactTensor& b) {
+  ExactTensor sum;
+  sum.exponent = std::min(a.exponent, b.exponent);
+  sum.divisor = a.divisor * b.divisor;
+  const Integer of_a = b.divisor << (a.exponent - sum.exponent);
+  const Integer of_b = a.divisor << (b.exponent - sum.exponent);
+  sum.entries = symmetric_entries(
+      [&](std::size_t i, std::size_t j) { return Integer(a.entries[i][j] * of_a + b.entries[i][j] * of_b); });
+  return sum;
+}
+
 }  // namespace
 
-ExactTensor exact_inertia(const PointColumns& points) {
+ExactBody exact_body(const PointColumns& points) {
   struct Sums {
     LongSum mass;
     std::array<LongSum, 3> first;
@@ -84,7 +112,51 @@ ExactTensor exact_inertia(const PointColumns& points) {
   second.entries = symmetric_entries([&](std::size_t i, std::size_t j) {
     return Integer(second.divisor * sums->second[i][j].value() - first[i] * first[j]);
   });
-  return inertia_of_solid(second);
+  return stripped({inertia_of_solid(second), second.divisor, LongSum::lowest});
+}
+
+ExactBody exact_body(const ExactTensor& inertia, double mass) {
+  const Dyadic m = dyadic(mass);
+  return stripped({inertia, Integer(m.digits), m.exponent});
+}
+
+ExactBody exact_joined(std::span<const PlacedExactBody> parts) {
+  BitRange places;
+  int unit = std::numeric_limits<int>::max();
+  for (const PlacedExactBody& part : parts) {
+    unit = std::min(unit, part.body->mass_exponent);
+    for (const double x : part.at) places.add(x);
+  }
+  const int length = places.lowest > places.highest ? 0 : places.lowest;
+  Integer mass = 0;
+  IntegerVector first{};
+  std::array<IntegerVector, 3> second{};
+  for (const PlacedExactBody& part : parts) {
+    const Integer own = part.body->mass << (part.body->mass_exponent - unit);
+    IntegerVector x;
+    for (std::size_t i = 0; i < 3; ++i) x[i] = whole_units(part.at[i], length);
+    mass += own;
+    for (std::size_t i = 0; i < 3; ++i) {
+      first[i] += own * x[i];
+      for (std::size_t j = i; j < 3; ++j) second[i][j] += own * x[i] * x[j];
+    }
+  }
+  ExactTensor between;
+  between.divisor = mass;
+  between.exponent = unit + 2 * length;
+  between.entries = symmetric_entries(
+      [&](std::size_t i, std::size_t j) { return Integer(mass * second[i][j] - first[i] * first[j]); });
+  ExactTensor inertia = inertia_of_solid(between);
+  for (const PlacedExactBody& part : parts) inertia = sum_of_tensors(inertia, part.body->inertia);
+  return stripped({inertia, mass, unit});
+}
+
+ExactBody along_axis(const ExactBody& body, std::size_t step) {
+  ExactBody turned = body;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      turned.inertia.entries[(i + step) % 3][(j + step) % 3] = body.inertia.entries[i][j];
+  return turned;
 }
 
 std::optional<ExactSolid> exact_solid(const Mesh& mesh) {

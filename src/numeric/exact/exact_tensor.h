@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "numeric/exact/long_sum.h"
 #include "numeric/kernels/mass_sums.h"
@@ -17,9 +18,27 @@ struct ExactTensor {
   int exponent = 0;
 };
 
+/// Inertia about the centre of mass, and mass 2^mass_exponent.
+struct ExactBody {
+  ExactTensor inertia;
+  Integer mass;
+  int mass_exponent = 0;
+};
+
 /// Of points that `check_points` accepts: with M = Σm, S = Σ m x and Q = Σ m x x, J = (M Q − S S)/M, I =
 /// tr(J) 1 − J. Cost: 0.1 us a point.
-[[nodiscard]] ExactTensor exact_inertia(const PointColumns& points);
+[[nodiscard]] ExactBody exact_body(const PointColumns& points);
+[[nodiscard]] ExactBody exact_body(const ExactTensor& inertia, double mass);
+
+/// Bodies with their centres of mass at places: I = Σ I_p + that of their masses at the places.
+struct PlacedExactBody {
+  const ExactBody* body = nullptr;
+  Position at{};
+};
+[[nodiscard]] ExactBody exact_joined(std::span<const PlacedExactBody> parts);
+
+/// With axis i where i + step was, cyclically.
+[[nodiscard]] ExactBody along_axis(const ExactBody& body, std::size_t step);
 
 /// A homogeneous solid: volume 2^exponent / 6, and ∫x_i x_j dV / V about its centre.
 struct ExactSolid {

@@ -62,7 +62,7 @@ Result<Body> about_centre(std::string name, const PointColumns& points, double u
     centre = sums->centre;
     body.known = known_inertia(*sums, unit);
     if (body.known)
-      tell_moments_apart(*body.known, [&] { return times(times(exact_inertia(points), unit), unit); });
+      tell_moments_apart(*body.known, [&] { return times(times(exact_body(points).inertia, unit), unit); });
   } else if (const auto alone = sharp_centre_of_mass(points, options)) {  // where the inertia overflows
     centre = *alone;
   } else {

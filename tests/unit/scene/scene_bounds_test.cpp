@@ -213,6 +213,23 @@ TEST_CASE("shapes of equal sides have frequencies of 0 exactly, along any axis",
   }
 }
 
+TEST_CASE("a dumbbell of two spheres and a rod is symmetric exactly, and one with a speck is not",
+          "[scene]") {
+  const auto sphere = quadrature_body("sphere", {ShapeKind::sphere, 0.7, {0.1, 0.1, 0.1}});
+  const auto rod = quadrature_body("rod", {ShapeKind::rod, 0.3, {0, 0, 0.45}});
+  REQUIRE((sphere && rod));
+  std::vector<PlacedBody> parts{{*sphere, {3, 0.1, 0.55}}, {*rod, {3, 0.1, 0}}, {*sphere, {3, 0.1, -0.55}}};
+  const Played played(all_of_it, *joined("dumbbell", parts));
+  CHECK(played.quantity("(\\Omega_1)^2").value[0] == 0);
+  CHECK(played.quantity("(\\Omega_1)^2").error[0] == 0);
+  CHECK(played.value("(\\Omega_3)^2") > 0);
+  check_signs(played);
+  parts.push_back({*point_masses("speck", {1e-33}, {{}}), {3.5, 0.1, 0}});
+  const Played with_speck(all_of_it, *joined("dumbbell", parts));
+  CHECK(with_speck.value("(\\Omega_1)^2") != 0);
+  check_signs(with_speck);
+}
+
 TEST_CASE("a tensor that a file gives has the gaps that its numbers have", "[scene]") {
   const InertiaTensor alike{{{0.3, 0, 1e-83}, {0, 0.3, 1e-78}, {1e-83, 1e-78, 0.3}}};
   const Played played(all_of_it, *body_with_inertia("alike", 1, alike));

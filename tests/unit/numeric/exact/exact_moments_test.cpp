@@ -115,7 +115,7 @@ TEST_CASE("points have the inertia of rational numbers about their centre", "[ex
     for (int i = 0; i < 3; ++i) numbers.push_back(uniform_sign(bits) * std::pow(10, 30 * uniform_sign(bits)));
     numbers.push_back(uniform(bits) * std::pow(10, 30 * uniform_sign(bits)));
   }
-  const ExactTensor inertia = exact_inertia(point_records(numbers.data(), 20));
+  const ExactTensor inertia = exact_body(point_records(numbers.data(), 20)).inertia;
   Rational mass = 0;
   std::array<Rational, 3> centre;
   for (std::size_t k = 0; k < 20; ++k) {
@@ -134,6 +134,43 @@ TEST_CASE("points have the inertia of rational numbers about their centre", "[ex
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       CHECK(entry(inertia, i, j) == (i == j ? Rational(trace - second[i][j]) : Rational(-second[i][j])));
+}
+
+TEST_CASE("bodies made of bodies have the inertia of all their points", "[exact]") {
+  SplitMix bits(5);
+  std::vector<double> all;
+  std::vector<ExactBody> bodies;
+  std::vector<Position> places;
+  for (int part = 0; part < 3; ++part) {
+    // Four points with their centre at 0 exactly: pairs of like masses.
+    std::vector<double> own;
+    const Position at{std::pow(10, 5 * uniform(bits)), uniform_sign(bits), 0x1p-30 * uniform_sign(bits)};
+    for (int pair = 0; pair < 2; ++pair) {
+      const double mass = uniform(bits) / 3;
+      const Position x{static_cast<double>(bits.below(1000)), static_cast<double>(bits.below(1000)), 0};
+      for (const double sign : {1., -1.}) {
+        for (std::size_t i = 0; i < 3; ++i) own.push_back(sign * x[i]);
+        own.push_back(mass);
+      }
+    }
+    bodies.push_back(exact_body(point_records(own.data(), 4)));
+    places.push_back({std::round(at[0]), std::round(at[1] * 1000), std::round(at[2] * 0x1p40)});
+    for (std::size_t k = 0; k < own.size(); ++k)
+      all.push_back(k % 4 == 3 ? own[k] : own[k] + places.back()[k % 4]);
+  }
+  std::vector<PlacedExactBody> parts;
+  for (std::size_t k = 0; k < 3; ++k) parts.push_back({&bodies[k], places[k]});
+  const ExactBody joined = exact_joined(parts);
+  const ExactBody points = exact_body(point_records(all.data(), 12));
+  CHECK(joined.mass == points.mass);
+  CHECK(joined.mass_exponent == points.mass_exponent);
+  const ExactBody turned = along_axis(joined, 1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      CHECK(entry(joined.inertia, i, j) == entry(points.inertia, i, j));
+      CHECK(entry(turned.inertia, (i + 1) % 3, (j + 1) % 3) == entry(joined.inertia, i, j));
+    }
+  }
 }
 
 TEST_CASE("what a mesh encloses has the moments of the faces' integrals", "[exact]") {
