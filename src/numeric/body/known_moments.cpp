@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/body/known_moments.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace rigor {
 
 bool may_have_equal_moments(const SharpTensor& tensor, double error) {
   const auto found = principal_moments(tensor);
   if (!found) return false;
-  double greatest = 0;
-  for (const HighLow& moment : found->moments) greatest = std::max(greatest, std::abs(moment.high));
-  // A moment moves by |E| ≤ 3 max |E_ij| at most (H. Weyl), and a gap by twice that; six bits are to be left
-  // of it.
-  return !(std::ranges::min(found->gaps) > 0x1p6 * (6 * error + 2 * moments_error * greatest));
+  for (std::size_t k = 1; k < 3; ++k) {
+    // A moment moves by |E| ≤ 3 max |E_ij| at most (H. Weyl), and a gap by twice that; six bits are to be
+    // left of it.
+    const EnclosedGap gap = found->enclosed_gap(k, k - 1);
+    if (!(gap.value > 0x1p6 * (6 * error + gap.error))) return true;
+  }
+  return false;
 }
 
 void tell_moments_apart(KnownInertia& known, const std::function<std::optional<ExactTensor>()>& exact) {

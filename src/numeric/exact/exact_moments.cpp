@@ -173,10 +173,21 @@ Parts parts_of(const Integer& x, int exponent) {
   return result;
 }
 
+/// In as many bits as it takes to tell the third root from the two that are equal.
+std::optional<Roots> equal_roots(const ExactTensor& tensor, const Characteristic& characteristic) {
+  Roots roots{characteristic.equal_roots(), {}, 0, {}};
+  const Integer gap = roots.at[2] - roots.at[0];
+  const int bits = gap == 0 ? 0 : greatest_bits(tensor) - bits_of(gap) + 80;
+  if (bits > 4096) return std::nullopt;
+  roots.axes = bits <= 256    ? axes_of(diagonalised<256>(tensor))
+               : bits <= 1024 ? axes_of(diagonalised<1024>(tensor))
+                              : axes_of(diagonalised<4096>(tensor));
+  return roots;
+}
+
 std::optional<Roots> roots_of(const ExactTensor& tensor) {
   const Characteristic characteristic(tensor);
-  if (characteristic.has_equal_roots())
-    return Roots{characteristic.equal_roots(), {}, 0, axes_of(diagonalised<256>(tensor))};
+  if (characteristic.has_equal_roots()) return equal_roots(tensor, characteristic);
   auto roots = separate_roots<256>(tensor, characteristic);
   if (!roots) roots = separate_roots<1024>(tensor, characteristic);
   if (!roots) roots = separate_roots<4096>(tensor, characteristic);

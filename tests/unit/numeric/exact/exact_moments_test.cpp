@@ -77,6 +77,18 @@ TEST_CASE("moments that are equal are told exactly, and rational", "[exact]") {
   CHECK(oblate->principal.gaps == std::array<double, 2>{0, 3});
 }
 
+TEST_CASE("the axis of a moment beside two equal ones is found however near it is", "[exact]") {
+  for (const double coupling : {1e-3, 1e-60, 1e-90, 1e-290}) {
+    INFO(coupling);
+    const auto found =
+        exact_moments(exact_tensor(tensor_of({0.3, 0.3, 0.3}, {coupling, coupling, coupling})));
+    REQUIRE(found);
+    CHECK(found->principal.gaps[0] == 0);
+    CHECK(found->principal.gaps[1] == Approx(3 * coupling).epsilon(1e-15));
+    for (const double x : found->axes[2]) CHECK(std::abs(std::abs(x) - std::sqrt(1 / 3.)) < 1e-15);
+  }
+}
+
 TEST_CASE("gaps that are not 0 have their digits, however small they are", "[exact]") {
   const auto found = exact_moments(exact_tensor(tensor_of({0.3, 0.3, 0.3}, {1e-78, 1e-83, 0})));
   REQUIRE(found);
