@@ -60,12 +60,6 @@ void settle_by_digits(const Program& program, const Samples& samples, BoundedRes
   }
 }
 
-bool have_digits(const Program& program, const Samples& samples) {
-  return std::ranges::any_of(program.inputs(), [&](const ProgramInput& input) {
-    return samples.find(input.symbol, input.component)->digits != nullptr;
-  });
-}
-
 bool has_low_parts(const Program& program, const Samples& samples) {
   return std::ranges::any_of(program.inputs(), [&](const ProgramInput& input) {
     return samples.find(input.symbol, input.component)->low != 0;
@@ -105,6 +99,12 @@ std::vector<double> error_bounds(const Program& program, const Samples& samples,
   for (std::size_t k = 0; k < values.size(); ++k)
     bounds[k] = std::min(bounds[k], distance(values[k], enclosed[k]));
   return bounds;
+}
+
+bool have_digits(const Program& program, const Samples& samples) {
+  return std::ranges::any_of(program.inputs(), [&](const ProgramInput& input) {
+    return samples.find(input.symbol, input.component)->digits != nullptr;
+  });
 }
 
 BoundedResults enclosures(const Program& program, const Samples& samples, std::vector<double> values) {

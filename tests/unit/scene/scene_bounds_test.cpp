@@ -134,6 +134,19 @@ TEST_CASE("a speck of 1e-29 kg beside a turned octahedron decides which spins ar
   CHECK(unstable == 1);
 }
 
+TEST_CASE("a frequency has its digits where no bound is asked for, too", "[scene]") {
+  const Body body = Octahedron{.turn = 0.3, .speck = 1e-29, .at = {0.5, 0.3, 0.7}}.points().body();
+  const Played played(
+      "spin = [1, 2, 3]\nat = \"A thrown racket\"\naxes = \"principal\"\n[ask]\nquantities = "
+      "['(\\Omega_1)^2', '(\\Omega_3)^2']\n",
+      body);
+  const Played bounded(all_of_it, body);
+  for (const char* name : {"(\\Omega_1)^2", "(\\Omega_3)^2"}) {
+    CHECK(played.value(name) == bounded.value(name));
+    CHECK(played.quantity(name).error.empty());
+  }
+}
+
 TEST_CASE("bounds of frequencies hold for points whose moments are alike to any digit", "[scene]") {
   SplitMix bits(9);
   for (int n = 0; n < 40; ++n) {
