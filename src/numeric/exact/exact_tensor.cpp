@@ -195,7 +195,11 @@ std::optional<ExactSolid> exact_solid(const Mesh& mesh) {
     }
   }
   if (volume == 0) return std::nullopt;
-  ExactSolid solid{abs(volume), 3 * places.lowest, {}};
+  ExactSolid solid{abs(volume), 3 * places.lowest, {}, {}, places.lowest - 2, volume < 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Integer from_origin = first[i] + 4 * volume * whole_units(mesh.vertices[0][i], places.lowest);
+    solid.centre[i] = volume < 0 ? Integer(-from_origin) : from_origin;
+  }
   solid.second_moments.divisor = 80 * volume * volume;
   solid.second_moments.exponent = 2 * places.lowest;
   solid.second_moments.entries = symmetric_entries([&](std::size_t i, std::size_t j) {
@@ -223,10 +227,30 @@ ExactTensor times(ExactTensor tensor, double factor) {
   return tensor;
 }
 
+HighLow rounded_quotient(const Integer& above, const Integer& below, int exponent) {
+  if (above == 0) return {};
+  // To 160 bits at least.
+  const auto bits = [](const Integer& x) { return static_cast<int>(msb(abs(x))); };
+  const int places = std::max(0, 160 - bits(above) + bits(below));
+  Integer quotient = (abs(above) << places) / below;
+  const int drop = std::max(0, bits(quotient) - 52);
+  const Integer leading = quotient >> drop;
+  quotient -= leading << drop;
+  const int second = std::max(0, drop - 53);
+  const auto part = [&](const Integer& x, int power) {
+    const double size =
+        std::ldexp(static_cast<double>(static_cast<std::uint64_t>(x)), power + exponent - places);
+    return above < 0 ? -size : size;
+  };
+  return baseline::exact_sum(part(leading, drop), part(quotient >> second, second));
+}
+
 ExactSolid times_unit(ExactSolid solid, double unit) {
   const Dyadic d = dyadic(unit);
   solid.volume *= Integer(d.digits) * d.digits * d.digits;
   solid.exponent += 3 * d.exponent;
+  solid.centre_exponent += d.exponent;
+  for (Integer& x : solid.centre) x *= Integer(d.digits) * d.digits * d.digits * d.digits;
   solid.second_moments = times(times(std::move(solid.second_moments), unit), unit);
   return solid;
 }

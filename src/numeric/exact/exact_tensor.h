@@ -40,12 +40,19 @@ struct PlacedExactBody {
 /// With axis i where i + step was, cyclically.
 [[nodiscard]] ExactBody along_axis(const ExactBody& body, std::size_t step);
 
-/// A homogeneous solid: volume 2^exponent / 6, and ∫x_i x_j dV / V about its centre.
+/// A homogeneous solid: volume 2^exponent / 6, and ∫x_i x_j dV / V about its centre, which is at
+/// 2^centre_exponent centre / volume.
 struct ExactSolid {
   Integer volume;
   int exponent = 0;
   ExactTensor second_moments;
+  std::array<Integer, 3> centre;
+  int centre_exponent = 0;
+  bool is_turned = false;  // the triangles are clockwise
 };
+
+/// above 2^exponent / below, rounded to 2^-104 of itself.
+[[nodiscard]] HighLow rounded_quotient(const Integer& above, const Integer& below, int exponent);
 
 /// Of what a closed surface encloses: with D = det(a, b, c) for each triangle and s = a + b + c, A = ΣD, F =
 /// ΣD s and G = ΣD (a a + b b + c c + s s), V = |A|/6 and ∫x x dV/V = (4 A G − 5 F F)/(80 A²). Cost: some 5

@@ -172,6 +172,29 @@ TEST_CASE("a cavity is taken away, in a thin shell too", "[mesh]") {
   }
 }
 
+TEST_CASE("thin bodies have the second moments that they have, to all digits", "[mesh]") {
+  int thin = 0;
+  for (const MeshFamily& family : mesh_families(500)) {
+    if (family.name.find("thickness 1e-8") == std::string::npos) continue;
+    for (const Mesh& mesh : family.meshes) {
+      check(mesh);
+      ++thin;
+    }
+  }
+  CHECK(thin > 3);
+}
+
+TEST_CASE("a sheet that is flat but for rounding is refused", "[mesh]") {
+  SplitMix bits(8);
+  for (int n = 0; n < 20; ++n) {
+    Mesh sheet = sphere_mesh(2);
+    const double a = uniform_sign(bits);
+    const double b = uniform_sign(bits);
+    for (Position& vertex : sheet.vertices) vertex[2] = a * vertex[0] + b * vertex[1];
+    CHECK(!mesh_mass(sheet, MeshSharpness::always));
+  }
+}
+
 TEST_CASE("parts are those that share vertices, in the order of their triangles", "[mesh]") {
   Mesh mesh = tetrahedron_mesh();
   append(mesh, cube_at(1, {5, 5, 5}));
