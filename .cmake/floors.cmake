@@ -36,7 +36,7 @@ rigor_floor(elaborate ON latex expr
 rigor_floor(algebra ON expr PRIVATE rigor::ginac
   ROOMS engine words parts point evaluator ring form generic sample decide)
 rigor_floor(numeric ON expr PRIVATE Eigen3::Eigen rigor::qd Boost::boost
-  ROOMS lane kernels program run body mesh family measure advice)
+  ROOMS lane kernels exact program run body mesh family measure advice)
 rigor_floor(check ON elaborate algebra
   ROOMS step word directive prose event ledger average question meaning verdict scope doubt constant law repair place row walk dimension form shown
     lint review entry)

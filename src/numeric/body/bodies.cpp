@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "numeric/body/body_errors.h"
 #include "numeric/body/inertia.h"
+#include "numeric/body/known_moments.h"
 #include "numeric/kernels/principal_moments.h"
 #include "numeric/lane/double_double.h"
 
@@ -79,6 +80,24 @@ KnownInertia inertia_of(const SecondMoments& second, double mass, double mass_er
   return known;
 }
 
+std::shared_ptr<const ExactMoments> along_axis(ExactMoments moments, std::size_t step) {
+  for (Position& axis : moments.axes)
+    std::ranges::rotate(axis, axis.end() - static_cast<std::ptrdiff_t>(step));
+  return std::make_shared<const ExactMoments>(std::move(moments));
+}
+
+/// Of a whole, from the integers of all its parts.
+void tell_moments_apart(KnownInertia& known, const std::vector<PlacedBody>& parts) {
+  constexpr std::size_t most_parts = 64;
+  if (parts.size() > most_parts) return;
+  std::vector<PlacedExactBody> exact;
+  for (const auto& [body, offset] : parts) {
+    if (body.known->integers == nullptr) return;
+    exact.push_back({body.known->integers.get(), offset});
+  }
+  tell_moments_apart(known, exact_joined(exact));
+}
+
 /// The places of a part's particles in the whole; `place` is the part's.
 void add_places(Body& whole, const Body& part, std::size_t axis, double place) {
   const std::vector<double> errors = place_errors(part, axis);
@@ -112,6 +131,10 @@ Body along_axis(Body body, std::size_t axis) {
         body.known->low[(i + step) % 3][(j + step) % 3] = low[i][j];
       }
     }
+    KnownInertia& known = *body.known;
+    if (known.exact != nullptr) known.exact = along_axis(*known.exact, step);
+    if (known.integers != nullptr)
+      known.integers = std::make_shared<const ExactBody>(along_axis(*known.integers, step));
   }
   return body;
 }
@@ -126,6 +149,7 @@ Result<Body> joined(std::string name, const std::vector<PlacedBody>& parts) {
     const auto known = joined_inertia(parts, points);
     if (!known) return tl::unexpected(known.error());
     whole.known = *known;
+    tell_moments_apart(*whole.known, parts);
   }
   for (const auto& [body, offset] : parts) {
     whole.masses.insert(whole.masses.end(), body.masses.begin(), body.masses.end());
@@ -185,7 +209,9 @@ Result<Body> body_with_inertia(std::string name, double mass, const InertiaTenso
     }
   }
   Result<Body> body = equimomental_body(std::move(name), mass, second);
-  if (body) body->known = KnownInertia{.mass = mass, .inertia = inertia, .is_sharp = true};
+  if (!body) return body;
+  body->known = KnownInertia{.mass = mass, .inertia = inertia, .is_sharp = true};
+  tell_moments_apart(*body->known, exact_body(exact_tensor(inertia), mass));
   return body;
 }
 

@@ -5,24 +5,30 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "numeric/exact/exact_moments.h"
 #include "numeric/kernels/mass_sums.h"
 #include "numeric/kernels/position.h"
 
 namespace rigor {
 
+struct ExactBody;
+
 /// What is known of a body without summing over its particles as they are held.
 struct KnownInertia {
   double mass = 0;
-  InertiaTensor inertia{};  // about the centre of mass, along the body's axes
-  InertiaTensor low{};      // to be added to it
-  bool is_sharp = false;    // inertia + low is what is said of the body, to `error`
-  double error = 0;         // kg m², bound of the error of any entry
-  double mass_error = 0;    // bound, relative to the mass
+  InertiaTensor inertia{};                         // about the centre of mass, along the body's axes
+  InertiaTensor low{};                             // to be added to it
+  bool is_sharp = false;                           // inertia + low is what is said of the body, to `error`
+  double error = 0;                                // kg m², bound of the error of any entry
+  double mass_error = 0;                           // bound, relative to the mass
+  std::shared_ptr<const ExactBody> integers = {};  // the same without an error: of what parts may be made of
+  std::shared_ptr<const ExactMoments> exact = {};  // where the above leaves open whether moments differ
 };
 
 /// How far masses and places, as they are held, may be from those of the body that was described: bounds. The

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "numeric/body/known_moments.h"
 #include "numeric/lane/double_double.h"
 #include "numeric/program/uniform.h"
 
@@ -98,6 +99,22 @@ void split(std::vector<Position>& points, std::size_t axis, double x) {
   }
 }
 
+ExactTensor exact_inertia_of(const Shape& shape) {
+  const ShapeInfo& kind = info(shape.kind);
+  const auto whole = [](double x) { return Integer(static_cast<int>(x)); };
+  ExactTensor inertia;
+  inertia.divisor = whole(kind.under[0]) * whole(kind.under[1]) * whole(kind.under[2]);
+  inertia.exponent = LongSum::lowest;
+  for (std::size_t k = 0; k < 3; ++k) {
+    LongSum square;
+    square.add(dyadic(shape.mass), dyadic(shape.extents[k]), dyadic(shape.extents[k]));
+    const Integer second = square.value() * whole(kind.over[k]) * (inertia.divisor / whole(kind.under[k]));
+    inertia.entries[(k + 1) % 3][(k + 1) % 3] += second;
+    inertia.entries[(k + 2) % 3][(k + 2) % 3] += second;
+  }
+  return inertia;
+}
+
 }  // namespace
 
 std::span<const ShapeInfo> shape_table() { return shapes; }
@@ -138,6 +155,7 @@ Result<KnownInertia> inertia_of(const Shape& shape) {
     known.low[i][i] = moment.low;
     known.error = std::max(known.error, 0x1p-100 * moment.high + 0x1p-1073);  // 45 v
   }
+  tell_moments_apart(known, exact_body(exact_inertia_of(shape), shape.mass));
   return known;
 }
 

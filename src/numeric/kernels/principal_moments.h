@@ -6,7 +6,9 @@
 // results of their own.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "base/result.h"
@@ -17,14 +19,24 @@
 
 namespace rigor {
 
+/// Of a moment as high + low, relative to the greatest entry or moment: `proved_rounding` of b, of which the
+/// entries are at most twice as great, and the last rounding.
+inline constexpr double moments_error = 0x1p-90;
+
+struct EnclosedGap {
+  double value = 0;
+  double error = 0;
+};
+
 /// Of a symmetric 3×3 tensor a, in its unit. The textbook: the roots λ of det(a − λ 1) = 0 and their
 /// differences.
 ///
 /// Error of each gap and each moment, relative to itself: at most 16 u in every family that is tested, also
 /// where entries differ by hundreds of powers of ten (tensor_extremes_test.cpp); exactly 0 where the result
 /// is 0, and nowhere else. Results below 2^-1022 have the absolute error of their last place. Measured: 7.1 u
-/// for a gap, 3.3 u for a moment. As high + low the moments err by 46 v |a|, v = 2^-106, in all that was
-/// tried, and 64 v is taken for granted: not proved.
+/// for a gap, 3.3 u for a moment. As high + low the moments err by 61 v |a|, v = 2^-106, in all that was
+/// tried, and by `moments_error` |a| at most: that is proved (moments_proof_test.cpp).
+/// Of a gap above 2^-38 |a| it is 2 u, to which the roundings of its own root and sums come.
 struct PrincipalMoments {
   SharpPosition moments{};       // ascending
   std::array<double, 2> gaps{};  // I₂ − I₁, I₃ − I₂
@@ -33,6 +45,14 @@ struct PrincipalMoments {
   [[nodiscard]] Position values() const { return {moments[0].high, moments[1].high, moments[2].high}; }
   /// I_i − I_j with its sign, without cancellation; indices from 0.
   [[nodiscard]] double gap(std::size_t i, std::size_t j) const;
+  /// I_i − I_j to a bound of its error that is proved; of gaps above 2^-37 of the greatest moment, 4 u of
+  /// them.
+  [[nodiscard]] EnclosedGap enclosed_gap(std::size_t i, std::size_t j) const {
+    const HighLow found = moments[i] - moments[j];
+    const double greatest =
+        std::max({std::abs(moments[0].high), std::abs(moments[1].high), std::abs(moments[2].high)});
+    return {found.high, (std::abs(found.low) + 2 * moments_error * greatest) * (1 + 0x1p-50) + 0x1p-1070};
+  }
 };
 
 /// The axes are orthonormal to 10 u and right-handed; the first two point to where their component of

@@ -38,4 +38,13 @@ struct BoundedResults {
 [[nodiscard]] std::vector<double> error_bounds(const Program& program, const Samples& samples,
                                                std::span<const double> values);
 
+/// Does the program read an input with more digits than two doubles hold?
+[[nodiscard]] bool have_digits(const Program& program, const Samples& samples);
+
+/// `values` with `error_bounds`; of inputs with more digits, the results in 100 of them, rounded. Where that
+/// leaves open on which side of 0 a result is, the result in rational numbers, if the inputs are rational, or
+/// else in 400 digits. Sums over particles are left as they are.
+[[nodiscard]] BoundedResults enclosures(const Program& program, const Samples& samples,
+                                        std::vector<double> values);
+
 }  // namespace rigor

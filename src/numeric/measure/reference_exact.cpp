@@ -47,6 +47,14 @@ struct ExactNumber {
   explicit ExactNumber(double x) : undefined(!std::isfinite(x)) {
     if (!undefined) value = x;
   }
+  [[nodiscard]] static ExactNumber with_digits(const LongNumber& number) {
+    if (number.error != 0) throw NotRational("known to some digits only");
+    Rational above = 0;
+    Rational below = 0;
+    for (const double part : number.parts) above += Rational(part);
+    for (const double part : number.divisor) below += Rational(part);
+    return {Rational(above / below), false};
+  }
   ExactNumber(Rational result, bool none) : value(std::move(result)), undefined(none) {}
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/ascii.h"
+#include "numeric/body/known_moments.h"
 #include "numeric/mesh/cloud_text.h"
 #include "source/mapped_file.h"
 
@@ -60,6 +61,8 @@ Result<Body> about_centre(std::string name, const PointColumns& points, double u
   if (const auto sums = sharp_mass_sums(points, options)) {
     centre = sums->centre;
     body.known = known_inertia(*sums, unit);
+    if (body.known)
+      tell_moments_apart(*body.known, [&] { return times(times(exact_body(points).inertia, unit), unit); });
   } else if (const auto alone = sharp_centre_of_mass(points, options)) {  // where the inertia overflows
     centre = *alone;
   } else {

@@ -28,6 +28,10 @@ void Samples::set(SymbolId symbol, std::uint32_t component, const HighLow& value
   columns_[{symbol, component}].low = value.low;
 }
 
+void Samples::set_digits(SymbolId symbol, std::uint32_t component, LongNumber digits) {
+  columns_.at({symbol, component}).digits = std::make_shared<const LongNumber>(std::move(digits));
+}
+
 void Samples::set_each(SymbolId symbol, std::uint32_t component, std::vector<double> values) {
   RIGOR_CHECK(values.size() == samples_, values.size(), samples_);
   put(symbol, component, std::move(values), 1, 0);

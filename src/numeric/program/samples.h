@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "expr/tree/symbol.h"
+#include "numeric/exact/long_number.h"
 #include "numeric/kernels/high_low.h"
 
 namespace rigor {
@@ -34,6 +35,7 @@ struct Column {
   std::shared_ptr<const std::vector<double>> owned = {};   // what `values` shows, unless it is borrowed
   double low = 0;                                          // to be added to a value that is the same for all
   std::shared_ptr<const std::vector<double>> errors = {};  // bounds, of each value or of all; none: exact
+  std::shared_ptr<const LongNumber> digits = {};           // more of a value that is the same for all
 
   /// Of how far the exact number may be from value n and the low part.
   [[nodiscard]] double error(std::size_t n) const {
@@ -53,6 +55,8 @@ class Samples {
   void set(SymbolId symbol, std::uint32_t component, double value);
   /// The same to about 106 bits: arithmetic of more than 53 bits computes with high + low.
   void set(SymbolId symbol, std::uint32_t component, const HighLow& value);
+  /// More digits of what was set, for all samples: arithmetic with bounds computes with these instead.
+  void set_digits(SymbolId symbol, std::uint32_t component, LongNumber digits);
   /// One for each sample.
   void set_each(SymbolId symbol, std::uint32_t component, std::vector<double> values);
   /// One for each particle, the same for all samples.

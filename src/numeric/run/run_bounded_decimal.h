@@ -6,6 +6,7 @@
 // and to 2^16 u |x| where |x| < 1/2.
 #pragma once
 
+#include "numeric/exact/long_number.h"
 #include "numeric/run/bounds_magnitude.h"
 #include "numeric/run/run_decimal.h"
 
@@ -29,6 +30,16 @@ struct BoundedDecimal {
     BoundedDecimal input(high);
     if (!input.undefined && low != 0) input = BoundedDecimal(T(input.value + low), Magnitude());
     if (error != 0) input.bound = input.bound + Magnitude(error);
+    return input;
+  }
+  [[nodiscard]] static BoundedDecimal with_digits(const LongNumber& number) {
+    const auto sum = [](const std::vector<double>& parts) {
+      BoundedDecimal all;
+      for (const double part : parts) all = all + BoundedDecimal(part);
+      return all;
+    };
+    BoundedDecimal input = sum(number.parts) / sum(number.divisor);
+    if (number.error != 0) input.bound = input.bound + Magnitude(number.error);
     return input;
   }
   /// A rounded result, with the error that its operands bring along.

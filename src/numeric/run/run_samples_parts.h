@@ -9,11 +9,14 @@
 
 namespace rigor {
 
-/// Number n of a column, with its error if T has one.
+/// Number n of a column, with its error and with all its digits if T has any.
 template <class T>
 struct InputOf {
   T operator()(const Column& column, std::size_t n) const {
     const double value = column.values[n];
+    if constexpr (requires { T::with_digits(*column.digits); }) {
+      if (column.digits != nullptr) return T::with_digits(*column.digits);
+    }
     if constexpr (requires { T::with_error(value, value, value); })
       return T::with_error(value, column.low, column.error(n));
     else

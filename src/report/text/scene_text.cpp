@@ -45,10 +45,12 @@ std::string rounded_up(double bound) {
   return fmt::format("{:.1e}", bound + 0.5 * std::pow(10, std::floor(std::log10(bound)) - 1));
 }
 
-std::string print_error(const std::vector<double>& errors) {
-  const double worst = std::ranges::max(errors);
+std::string print_error(const SceneQuantity& quantity) {
+  const double worst = std::ranges::max(quantity.error);
   if (!std::isfinite(worst)) return "no bound of the rounding errors is known";
-  return "rounding errors are at most " + rounded_up(worst);
+  if (worst == 0) return "exactly";
+  const char* open = has_open_sign(quantity) ? ": its sign cannot be told from these numbers" : "";
+  return "rounding errors are at most " + rounded_up(worst) + open;
 }
 
 std::string unit_of(const SceneQuantity& quantity) {
@@ -66,7 +68,7 @@ std::string print_quantity(const SceneQuantity& quantity) {
     text += '\n';
   }
   if (quantity.error.empty()) return text;
-  return text + "  " + in_column("", name_width) + print_error(quantity.error) + '\n';
+  return text + "  " + in_column("", name_width) + print_error(quantity) + '\n';
 }
 
 std::string print_rows(const SceneQuantity& quantity, const Motion& motion) {

@@ -174,10 +174,9 @@ class BodyReader {
     });
     const auto enclosed = value_or_report(measured, DiagnosticKind::bad_mesh, span, diagnostics_);
     if (!enclosed) return std::nullopt;
-    const double mass = has_density ? *amount * enclosed->volume : *amount;
-    const double mass_error = has_density ? enclosed->volume_error + 0x1p-53 : 0;
-    return value_or_report(mesh_body(name_, *enclosed, mass, mass_error), DiagnosticKind::bad_body, span,
-                           diagnostics_);
+    return value_or_report(
+        has_density ? mesh_body_of_density(name_, *enclosed, *amount) : mesh_body(name_, *enclosed, *amount),
+        DiagnosticKind::bad_body, span, diagnostics_);
   }
 
   [[nodiscard]] Result<std::string> path_in_folder(const std::string& file) const {

@@ -34,6 +34,8 @@ std::optional<ProgramInput> LetterValues::fill(const Program& program, Samples& 
       if (input.component >= value->components.size()) return input;
       const double low = value->lows.empty() ? 0 : value->lows[input.component];
       samples.set(input.symbol, input.component, HighLow{value->components[input.component], low});
+      if (!value->digits.empty())
+        samples.set_digits(input.symbol, input.component, value->digits[input.component]);
       if (!value->errors.empty())
         samples.set_errors(input.symbol, input.component, {value->errors[input.component]});
     }

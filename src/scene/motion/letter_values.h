@@ -21,6 +21,7 @@ struct LetterValue {
   /// exact.
   std::vector<double> errors = {};
   std::vector<std::vector<double>> particle_errors = {};
+  std::vector<LongNumber> digits = {};  // of each component; empty: there are no more
 };
 
 class LetterValues {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/among.h"
 #include "scene/quantity/scene_evaluation.h"
@@ -101,6 +102,11 @@ void SceneEvaluation::note_roles(const Program& program, std::set<SceneRole>& re
 bool SceneEvaluation::reads(const Program& program, const std::vector<SymbolId>& symbols) const {
   return std::ranges::any_of(program.inputs(),
                              [&](const ProgramInput& input) { return is_one_of(input.symbol, symbols); });
+}
+
+bool has_open_sign(const SceneQuantity& quantity) {
+  if (quantity.value.size() != 1 || quantity.error.empty()) return false;
+  return quantity.error[0] > 0 && !(quantity.error[0] < std::abs(quantity.value[0]));
 }
 
 SceneCounts SceneResult::counts() const {

@@ -25,6 +25,10 @@ struct SceneQuantity {
   std::vector<std::vector<double>> rows = {};  // over the time, if asked: of each row of the motion
 };
 
+/// Do the errors of a scalar leave open on which side of 0 it is? Of a square frequency, say, whether a spin
+/// is stable. False where no errors are known.
+[[nodiscard]] bool has_open_sign(const SceneQuantity& quantity);
+
 /// How constant a quantity stayed while the body moved.
 struct SceneDrift {
   std::string source;

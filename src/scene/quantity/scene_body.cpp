@@ -22,25 +22,60 @@ double greatest_of(const Tensor& tensor) {
   return greatest;
 }
 
-/// Of a tensor that is diagonal to rounding: each moment goes to the axis that its own is along. Where two
-/// moments are so close that their axes are not known, the diagonal is taken. `left_out`: what that may be
-/// off by.
-Result<SharpPosition> moments_in_order_of_axes(const SharpTensor& tensor, Position& left_out) {
-  constexpr double nearly_along = 1 - 1e-6;
+/// Which of the axes is nearest to each of the file's, each taken once.
+std::array<std::size_t, 3> nearest_axes(const std::array<Position, 3>& axes) {
+  constexpr std::size_t none = 3;
+  std::array<std::size_t, 3> order{none, none, none};
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::size_t nearest = none;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (order[i] != none) continue;
+      if (nearest == none || std::abs(axes[k][i]) > std::abs(axes[k][nearest])) nearest = i;
+    }
+    order[nearest] = k;
+  }
+  return order;
+}
+
+SharpPosition in_order(const SharpPosition& moments, const std::array<std::size_t, 3>& order) {
+  return {moments[order[0]], moments[order[1]], moments[order[2]]};
+}
+
+/// Whether no two moments are closer than that: by what is proved of gaps.
+bool are_apart(const PrincipalMoments& principal, double off) {
+  return std::ranges::all_of(std::array{1U, 2U}, [&](std::size_t k) {
+    const EnclosedGap gap = principal.enclosed_gap(k, k - 1);
+    return gap.value - gap.error > off;
+  });
+}
+
+/// Of a tensor that is diagonal to rounding and off by so much in the 2-norm: each moment goes to the axis
+/// nearest to its own. Where two moments are so close that their axes are not known, the diagonal is taken,
+/// but for an entry so far from the others that the moment of its rank is its own (H. Weyl). `left_out`: what
+/// that may be off by.
+Result<SharpPosition> moments_in_order_of_axes(const SharpTensor& tensor, double off, Position& left_out) {
   SharpPosition diagonal{tensor[0][0], tensor[1][1], tensor[2][2]};
-  if (tensor[1][0].high == 0 && tensor[2][0].high == 0 && tensor[2][1].high == 0) return diagonal;
-  const auto system = principal_axes(tensor);
-  if (!system) return tl::unexpected(system.error());
-  SharpPosition moments = diagonal;
   const double products =
       std::abs(tensor[1][0].high) + std::abs(tensor[2][0].high) + std::abs(tensor[2][1].high);
+  if (products == 0) return diagonal;
+  const auto system = principal_axes(tensor);
+  if (!system) return tl::unexpected(system.error());
+  if (are_apart(system->principal, 32 * off))
+    return in_order(system->principal.moments, nearest_axes(system->axes));
+  SharpPosition moments = diagonal;
   left_out = {2 * products, 2 * products, 2 * products};
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (std::abs(system->axes[k][i]) < nearly_along) continue;
-      moments[i] = system->principal.moments[k];
-      left_out[i] = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::size_t rank = 0;
+    bool is_apart = true;
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (i == j) continue;
+      const double more = (diagonal[i] - diagonal[j]).high;
+      if (more > 0) ++rank;
+      is_apart = is_apart && std::abs(more) > 32 * products;
     }
+    if (!is_apart) continue;
+    moments[i] = system->principal.moments[rank];
+    left_out[i] = 0;
   }
   return moments;
 }
@@ -109,6 +144,15 @@ const Result<SharpTensor>& SceneBody::sharp_tensor() {
   return *sharp_tensor_;
 }
 
+const ExactMoments* SceneBody::exact() {
+  return sharp_tensor() && is_said_ ? body_.known->exact.get() : nullptr;
+}
+
+const LongNumber* SceneBody::digits_of_moment(std::size_t k) {
+  if (!moments() || exact() == nullptr) return nullptr;
+  return &exact()->moments[exact_order_[k]];
+}
+
 const Result<SharpPosition>& SceneBody::moments() {
   if (moments_) return *moments_;
   const auto along = is_along_principal_axes();
@@ -119,9 +163,14 @@ const Result<SharpPosition>& SceneBody::moments() {
   const auto& inertia = sharp_tensor();
   if (!inertia) {
     moments_ = tl::unexpected(inertia.error());
+  } else if (const ExactMoments* all = exact()) {
+    if (*along) exact_order_ = nearest_axes(all->axes);
+    ledger_.skip(moments_node, "known to all digits");
+    moments_ = in_order(all->principal.moments, exact_order_);
   } else if (*along) {
-    moments_ = ledger_.compute(moments_node, "the body's axes are its principal axes",
-                               [&] { return moments_in_order_of_axes(*inertia, left_out_); });
+    moments_ = ledger_.compute(moments_node, "the body's axes are its principal axes", [&] {
+      return moments_in_order_of_axes(*inertia, 3 * sharp_tensor_error(), left_out_);
+    });
   } else {
     moments_ = ledger_.compute(moments_node, "values alone", [&] {
       return principal_moments(*inertia).map([](const PrincipalMoments& each) { return each.moments; });
@@ -140,6 +189,9 @@ const Result<SceneBody::Axes>& SceneBody::axes() {
     axes_ = std::array<Position, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   } else if (const auto& inertia = sharp_tensor(); !inertia) {
     axes_ = tl::unexpected(inertia.error());
+  } else if (const ExactMoments* all = exact()) {
+    ledger_.skip(axes_node, "known to all digits");
+    axes_ = all->axes;
   } else {
     axes_ = ledger_.compute(axes_node, "vectors of the tensor", [&] {
       return principal_axes(*inertia).map([](const PrincipalAxes& axes) { return axes.axes; });

@@ -28,10 +28,12 @@ class SceneBody {
   /// Is the file's set of axes a principal one? No product of inertia exceeds 64 u times the trace.
   [[nodiscard]] Result<bool> is_along_principal_axes();
   /// In the order of the axes where the body is along them, else ascending. Computes no axes.
-  /// To about 100 bits of the greatest, so that their differences keep their digits; but two that are alike
-  /// to 64 u of the trace are taken for the tensor's diagonal where the axes of theirs are others: what is
-  /// left of their difference is the rounding of the places.
+  /// To about 100 bits of the greatest, so that their differences keep their digits. Where the body is along
+  /// the file's axes, each goes to the nearest one; two that the rounding of places leaves alike are taken
+  /// for the tensor's diagonal.
   [[nodiscard]] const Result<SharpPosition>& moments();
+  /// All digits of a moment, where 100 bits leave open whether moments differ; null elsewhere.
+  [[nodiscard]] const LongNumber* digits_of_moment(std::size_t k);
   /// In the order of `moments`, right-handed. Where the body is along them, e₁, e₂, e₃, and nothing is
   /// computed.
   using Axes = std::array<Position, 3>;
@@ -41,8 +43,8 @@ class SceneBody {
   [[nodiscard]] const Result<Places>& places_along_axes();
 
   /// Bounds of the errors of what these give, for the body that was described (`BodyErrors`); infinite where
-  /// none is known, also where they fail. Of any entry of the tensor; of each moment, 64 v of the solver
-  /// taken for granted; of any component of each axis, and of each that particles are turned to.
+  /// none is known, also where they fail. Of any entry of the tensor; of each moment; of any component of
+  /// each axis, and of each that particles are turned to.
   [[nodiscard]] double tensor_error();
   [[nodiscard]] Position moment_errors();
   [[nodiscard]] Position axis_errors();
@@ -54,16 +56,21 @@ class SceneBody {
   const Result<SharpTensor>& sharp_tensor();
   /// Of any entry of that.
   [[nodiscard]] double sharp_tensor_error();
+  /// What the tensor that the file says has for moments, where that is known in integers.
+  [[nodiscard]] const ExactMoments* exact();
+  /// How far the tensor may be off of which the axes are, in the 2-norm.
+  [[nodiscard]] double axes_off();
   /// What the body's file says of it, where its particles stand for that and differ by their rounding alone.
   std::optional<SharpTensor> said_inertia();
 
   const Body& body_;
   SceneLedger& ledger_;
   std::optional<Result<InertiaTensor>> tensor_;
-  double tensor_rounding_ = 0;        // of its sums
-  double sharp_tensor_rounding_ = 0;  // kg m²
-  bool is_said_ = false;              // the sharp tensor is what the file says
-  Position left_out_{};               // of the moments: what a tensor has off its diagonal
+  double tensor_rounding_ = 0;                       // of its sums
+  double sharp_tensor_rounding_ = 0;                 // kg m²
+  bool is_said_ = false;                             // the sharp tensor is what the file says
+  Position left_out_{};                              // of the moments: what a tensor has off its diagonal
+  std::array<std::size_t, 3> exact_order_{0, 1, 2};  // which of the exact moments is which
   std::optional<Result<SharpTensor>> sharp_tensor_;
   std::optional<Result<SharpPosition>> moments_;
   std::optional<Result<Axes>> axes_;

@@ -14,7 +14,7 @@ constexpr double u = 0x1p-53;
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr Position unknown{unbounded, unbounded, unbounded};
 
-/// Of the axes as they are found, and their lengths: 6 u and 10 u.
+/// Of the axes as they are found, and their lengths: 6 u and 10 u, which are measured, not proved.
 constexpr double axis_rounding = 16 * u;
 
 double greatest_moment(const SharpPosition& moments) {
@@ -53,13 +53,20 @@ double SceneBody::sharp_tensor_error() {
 Position SceneBody::moment_errors() {
   const auto& found = moments();
   if (!found) return unknown;
-  // |E| ≤ 3 max |E_ij|; the solver's 64 v of the Frobenius norm, which is at most 3 times an entry.
-  const double solver = 0x1p-98 * greatest_moment(*found) + 0x1p-1070;
-  const double off = 3 * sharp_tensor_error();
+  if (exact() != nullptr) {
+    Position errors{};
+    for (std::size_t k = 0; k < 3; ++k)
+      errors[k] = digits_of_moment(k)->error + 0x1p-104 * std::abs((*found)[k].high) + 0x1p-1070;
+    return errors;
+  }
+  const double solver = moments_error * greatest_moment(*found) + 0x1p-1070;
+  const double off = 3 * sharp_tensor_error();  // |E| ≤ 3 max |E_ij|
   Position errors{};
   for (std::size_t k = 0; k < 3; ++k) errors[k] = off + solver + left_out_[k];
   return errors;
 }
+
+double SceneBody::axes_off() { return exact() != nullptr ? 0 : 3 * sharp_tensor_error(); }
 
 Position SceneBody::turning_errors() {
   const auto along = is_along_principal_axes();
@@ -67,7 +74,7 @@ Position SceneBody::turning_errors() {
   if (*along) return {};
   const auto& found = moments();
   if (!found) return unknown;
-  Position errors = turned_by(*found, 3 * sharp_tensor_error());
+  Position errors = turned_by(*found, axes_off());
   for (double& error : errors) error += axis_rounding;
   return errors;
 }

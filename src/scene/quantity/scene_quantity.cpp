@@ -91,9 +91,13 @@ void SceneEvaluation::evaluate_one(Asked& asked) {
   if (!are_finite(quantity.value)) {
     report(DiagnosticKind::bad_scene, asked.ask->name.span, fmt::format("`{}` is not finite", name));
   }
-  if (scene_.errors) {
-    quantity.error = ledger_.compute("rounding errors of " + name, "asked for by `errors`",
-                                     [&] { return error_bounds(*asked.program, samples, quantity.value); });
+  if (scene_.errors || have_digits(*asked.program, samples)) {
+    BoundedResults enclosed =
+        ledger_.compute((scene_.errors ? "rounding errors of " : "all digits of ") + name,
+                        scene_.errors ? "asked for by `errors`" : "moments have more than 100 bits",
+                        [&] { return enclosures(*asked.program, samples, std::move(quantity.value)); });
+    quantity.value = std::move(enclosed.values);
+    if (scene_.errors) quantity.error = std::move(enclosed.bounds);
   }
   if (result_.motion && (over_time || reads(*asked.program, spin_symbols_))) follow_motion(asked, quantity);
   result_.quantities.push_back(std::move(quantity));

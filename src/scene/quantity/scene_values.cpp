@@ -134,6 +134,7 @@ Result<LetterValue> SceneValues::moment(std::size_t which) {
   if (!moments) return tl::unexpected(moments.error());
   LetterValue value{{(*moments)[which].high}, {}, {(*moments)[which].low}};
   if (scene_.errors) value.errors = {body_.moment_errors()[which]};
+  if (const LongNumber* digits = body_.digits_of_moment(which)) value.digits = {*digits};
   return value;
 }
 
@@ -147,6 +148,10 @@ Result<LetterValue> SceneValues::tensor() {
       value.components[4 * k] = (*moments)[k].high;
       value.lows[4 * k] = (*moments)[k].low;
       value.errors[4 * k] = errors[k];
+      const LongNumber* digits = body_.digits_of_moment(k);
+      if (digits == nullptr) continue;
+      value.digits.resize(9);
+      value.digits[4 * k] = *digits;
     }
     return value;
   }

@@ -51,6 +51,33 @@ TEST_CASE("the bound holds for random forms, and is not absurdly large", "[numer
   CHECK(sharp >= finite * 80 / 100);  // the others are right by luck
 }
 
+TEST_CASE("where bounds leave a sign open, rational numbers or more digits tell it", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  const Named y = page.scalar("y");
+  const Program difference = compiled(page, (x - y) * x);
+  Samples samples(1, 0);
+  const auto set = [&](const Named& letter, const LongNumber& digits) {
+    samples.set(letter.symbol, 0, HighLow{1 / 3., 1 / 3. * 0x1p-54});
+    samples.set_errors(letter.symbol, 0, {0x1p-100});
+    samples.set_digits(letter.symbol, 0, digits);
+  };
+  set(x, {{1}, {3}});
+  set(y, {{1}, {3}});
+  const BoundedResults equal = enclosures(difference, samples, {1e-30});
+  CHECK(equal.values == std::vector<double>{0});
+  CHECK(equal.bounds == std::vector<double>{0});
+  // One part in 1e250, which 100 digits do not hold.
+  set(y, {{1, 1e-250}, {3}, 1e-270});
+  const BoundedResults apart = enclosures(difference, samples, {1e-30});
+  CHECK(apart.values[0] == Approx(-1e-250 / 9).epsilon(1e-12));
+  CHECK(apart.bounds[0] < 1e-260);
+  // And where nothing does, it stays open.
+  set(y, {{1, 1e-250}, {3}, 1e-240});
+  const BoundedResults open = enclosures(difference, samples, {1e-30});
+  CHECK(open.bounds[0] > 1e-241);
+}
+
 TEST_CASE("the bound holds for all inputs within their uncertainty", "[numeric]") {
   Page page;
   const Named x = page.scalar("x");

@@ -6,6 +6,7 @@
 
 #include "base/splitmix.h"
 #include "catch.h"
+#include "numeric/climb.h"
 #include "numeric/kernels/mesh_families.h"
 #include "numeric/meshes.h"
 #include "numeric/program/uniform.h"
@@ -41,6 +42,7 @@ Mesh placed(Mesh mesh, double size, const Position& at) {
 struct Checked {
   double greatest = 0;  // error of a second moment beside √(ii jj)
   double promised = 0;  // the bound of it
+  double part = 0;      // the greatest that an error of high + low takes of its bound
 };
 
 /// Every bound of the result holds, low parts included, and the doubles alone are right to 3 u.
@@ -56,7 +58,9 @@ Checked check(const Mesh& mesh) {
     for (std::size_t j = 0; j < 3; ++j) {
       const double size = static_cast<double>(Digits100(sqrt(exact.second[i][i] * exact.second[j][j])));
       const Digits100 sharp = Digits100(mass->second_moments[i][j]) + mass->low[i][j];
-      CHECK(abs(sharp - exact.second[i][j]) <= mass->error);
+      const Digits100 sharp_error = abs(sharp - exact.second[i][j]);
+      CHECK(sharp_error <= mass->error);
+      checked.part = std::max(checked.part, static_cast<double>(Digits100(sharp_error / mass->error)));
       const auto error = static_cast<double>(Digits100(abs(mass->second_moments[i][j] - exact.second[i][j])));
       CHECK(error <= 3 * u * size);
       checked.greatest = std::max(checked.greatest, error / size);
@@ -64,6 +68,22 @@ Checked check(const Mesh& mesh) {
     }
   }
   return checked;
+}
+
+/// The same surface with its vertices and triangles in another order, and other corners first.
+Mesh shuffled(const Mesh& mesh, SplitMix& bits) {
+  Mesh other = mesh;
+  std::vector<std::uint32_t> place(mesh.vertices.size());
+  for (std::uint32_t n = 0; n < place.size(); ++n) place[n] = n;
+  for (std::size_t n = place.size(); n > 1; --n) std::swap(place[n - 1], place[bits.below(n)]);
+  for (std::size_t n = 0; n < place.size(); ++n) other.vertices[place[n]] = mesh.vertices[n];
+  for (auto& triangle : other.triangles) {
+    for (std::uint32_t& corner : triangle) corner = place[corner];
+    std::ranges::rotate(triangle, triangle.begin() + static_cast<std::ptrdiff_t>(bits.below(3)));
+  }
+  for (std::size_t n = other.triangles.size(); n > 1; --n)
+    std::swap(other.triangles[n - 1], other.triangles[bits.below(n)]);
+  return other;
 }
 
 TEST_CASE("two cubes, a speck far from a large one, have the second moments of two cubes", "[mesh]") {
@@ -81,6 +101,45 @@ TEST_CASE("two cubes, a speck far from a large one, have the second moments of t
     const auto whole = mesh_moments(mesh.vertices, mesh.triangles, MeshSharpness::always);
     CHECK(!whole);  // about one point nothing is known of the speck
   }
+}
+
+TEST_CASE("the order of corners, triangles and parts changes no more than the bounds allow", "[mesh]") {
+  SplitMix bits(6);
+  Mesh mesh = cube_at(1, {});
+  append(mesh, cube_at(1e-4, {1e7, -1e7, 3e6}));
+  for (int n = 0; n < 40; ++n) {
+    const Mesh other = shuffled(mesh, bits);
+    check(other);
+    const auto mass = mesh_mass(other);
+    REQUIRE(mass);
+    CHECK(mass->second_moments[1][1] + mass->second_moments[2][2] == Approx(109.0 + 2 / 3.0).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("climbing for the worst error of a mesh of parts ends below its bound", "[mesh]") {
+  SplitMix bits(7);
+  struct PlacedPart {
+    double size = 1;
+    Position at{};
+  };
+  using PlacedParts = std::array<PlacedPart, 3>;
+  const auto changed = [&](PlacedParts parts) {
+    PlacedPart& part = parts[bits.below(3)];
+    if (bits.below(2) == 0)
+      part.size = std::pow(10, -5 * uniform(bits));
+    else
+      part.at[bits.below(3)] = std::pow(10, 9 * uniform(bits)) * uniform_sign(bits);
+    return parts;
+  };
+  const auto badness = [&](const PlacedParts& parts) {
+    Mesh mesh;
+    for (const PlacedPart& part : parts) append(mesh, placed(tetrahedron_mesh(), part.size, part.at));
+    return check(shuffled(mesh, bits)).part;
+  };
+  const PlacedParts start{{{1, {}}, {1e-4, {1e7, -1e7, 3e6}}, {1, {5, 0, 0}}}};
+  const double worst = climbed(start, 300, changed, badness);
+  CHECK(worst <= 1);
+  CHECK(worst > 1e-4);  // so that the bound says something
 }
 
 TEST_CASE("parts of any sizes anywhere keep the bounds that come with them", "[mesh]") {
@@ -110,6 +169,29 @@ TEST_CASE("a cavity is taken away, in a thin shell too", "[mesh]") {
     append(mesh, placed(sphere_mesh(3), 1 - thickness, {1e6, 0, -2e5}), true);
     append(mesh, placed(sphere_mesh(1), 1e-3, {1e6, 3e8, 0}));
     check(mesh);
+  }
+}
+
+TEST_CASE("thin bodies have the second moments that they have, to all digits", "[mesh]") {
+  int thin = 0;
+  for (const MeshFamily& family : mesh_families(500)) {
+    if (family.name.find("thickness 1e-8") == std::string::npos) continue;
+    for (const Mesh& mesh : family.meshes) {
+      check(mesh);
+      ++thin;
+    }
+  }
+  CHECK(thin > 3);
+}
+
+TEST_CASE("a sheet that is flat but for rounding is refused", "[mesh]") {
+  SplitMix bits(8);
+  for (int n = 0; n < 20; ++n) {
+    Mesh sheet = sphere_mesh(2);
+    const double a = uniform_sign(bits);
+    const double b = uniform_sign(bits);
+    for (Position& vertex : sheet.vertices) vertex[2] = a * vertex[0] + b * vertex[1];
+    CHECK(!mesh_mass(sheet, MeshSharpness::always));
   }
 }
 

@@ -55,7 +55,21 @@ TEST_CASE("a bound is rounded up, stands beside all digits, and none is printed 
   result.quantities[0].error = {9.96e-5};
   CHECK(print_scene(result).find("at most 1.0e-04\n") != std::string::npos);
   result.quantities[0].error = {0};
-  CHECK(print_scene(result).find("at most 0.0e+00\n") != std::string::npos);
+  CHECK(print_scene(result).find("                          exactly\n") != std::string::npos);
+}
+
+TEST_CASE("where the bound leaves open on which side of 0 a scalar is, that is said", "[scene]") {
+  constexpr const char* open = "its sign cannot be told from these numbers\n";
+  SceneResult result = example();
+  result.quantities[0].value = {-1e-14};
+  result.quantities[0].error = {1e-14};
+  CHECK(print_scene(result).find("at most 1.0e-14: its sign cannot be told from these numbers\n") !=
+        std::string::npos);
+  result.quantities[0].value = {-1.1e-14};
+  CHECK(print_scene(result).find(open) == std::string::npos);
+  result.quantities[0].value = {0};
+  result.quantities[0].error = {0};
+  CHECK(print_scene(result).find(open) == std::string::npos);
 }
 
 TEST_CASE("what was computed and what not is printed where it is asked for", "[scene]") {

@@ -6,6 +6,8 @@
 
 #include "base/splitmix.h"
 #include "catch.h"
+#include "numeric/climb.h"
+#include "numeric/kernels/jacobi_reference.h"
 #include "numeric/kernels/principal_moments.h"
 #include "numeric/program/uniform.h"
 #include "numeric/run/run_decimal.h"
@@ -15,45 +17,6 @@ namespace {
 
 using Digits = Decimal<700>;
 constexpr double u = 0x1p-53;
-
-struct Diagonalised {
-  std::array<std::array<Digits, 3>, 3> a;
-  std::array<std::array<Digits, 3>, 3> axes;  // rows
-};
-
-Diagonalised diagonalised(const InertiaTensor& tensor) {
-  Diagonalised d;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      d.a[i][j] = tensor[std::max(i, j)][std::min(i, j)];
-      d.axes[i][j] = i == j ? 1 : 0;
-    }
-  }
-  for (int sweep = 0; sweep < 14; ++sweep) {
-    for (const auto& [p, q] : {std::array<std::size_t, 2>{0, 1}, {0, 2}, {1, 2}}) {
-      if (d.a[p][q] == 0) continue;
-      const Digits tau = (d.a[q][q] - d.a[p][p]) / (2 * d.a[p][q]);
-      const Digits t = (tau < 0 ? -1 : 1) / (abs(tau) + sqrt(1 + tau * tau));
-      const Digits c = 1 / sqrt(1 + t * t);
-      const Digits s = t * c;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Digits x = d.a[k][p];
-        d.a[k][p] = c * x - s * d.a[k][q];
-        d.a[k][q] = s * x + c * d.a[k][q];
-        const Digits y = d.axes[p][k];
-        d.axes[p][k] = c * y - s * d.axes[q][k];
-        d.axes[q][k] = s * y + c * d.axes[q][k];
-      }
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Digits x = d.a[p][k];
-        d.a[p][k] = c * x - s * d.a[q][k];
-        d.a[q][k] = s * x + c * d.a[q][k];
-      }
-      d.a[p][q] = d.a[q][p] = 0;
-    }
-  }
-  return d;
-}
 
 /// What rotations in 700 digits leave of a 0. Entries are within 2^±220 here, and what is not 0 is above
 /// 1e-500.
@@ -74,24 +37,21 @@ struct Worst {
 Worst worst_of(const InertiaTensor& tensor) {
   const auto found = principal_axes(tensor);
   REQUIRE(found);
-  const Diagonalised exact = diagonalised(tensor);
-  std::array<std::size_t, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t j) { return exact.a[i][i] < exact.a[j][j]; });
-  const auto moment = [&](std::size_t k) { return exact.a[order[k]][order[k]]; };
+  const JacobiReference<Digits> exact(tensor);
+  const auto& moment = exact.moments;
   Worst worst;
   for (std::size_t k = 0; k < 3; ++k)
-    worst.moment = std::max(worst.moment, error_of(found->principal.moments[k].high, moment(k)));
+    worst.moment = std::max(worst.moment, error_of(found->principal.moments[k].high, moment[k]));
   for (std::size_t k = 0; k < 2; ++k)
-    worst.gap = std::max(worst.gap, error_of(found->principal.gaps[k], moment(k + 1) - moment(k)));
+    worst.gap = std::max(worst.gap, error_of(found->principal.gaps[k], moment[k + 1] - moment[k]));
   for (std::size_t k = 0; k < 3; ++k) {
-    if ((k > 0 && is_none(moment(k) - moment(k - 1))) || (k < 2 && is_none(moment(k + 1) - moment(k))))
+    if ((k > 0 && is_none(moment[k] - moment[k - 1])) || (k < 2 && is_none(moment[k + 1] - moment[k])))
       continue;
     Digits along = 0;
     Digits away = 0;
-    for (std::size_t i = 0; i < 3; ++i) along += exact.axes[order[k]][i] * found->axes[k][i];
+    for (std::size_t i = 0; i < 3; ++i) along += exact.axes[k][i] * found->axes[k][i];
     for (std::size_t i = 0; i < 3; ++i) {
-      const Digits d = found->axes[k][i] - (along < 0 ? -1 : 1) * exact.axes[order[k]][i];
+      const Digits d = found->axes[k][i] - (along < 0 ? -1 : 1) * exact.axes[k][i];
       away += d * d;
     }
     worst.axis = std::max(worst.axis, static_cast<double>(Digits(sqrt(away))));
@@ -159,6 +119,60 @@ TEST_CASE("random tensors of entries from 1 to 1e-60, many of them equal or none
     const double third = bits.below(2) == 0 ? 22 : 35;
     check(tensor_of({26, 31, third}, {small(60) * 1e-30, small(60), 6}));
   }
+}
+
+TEST_CASE("climbing for the worst error of moments, gaps and axes ends below their bounds", "[moments]") {
+  SplitMix bits(42);
+  const auto changed = [&](InertiaTensor tensor) {
+    const std::size_t i = bits.below(3);
+    const std::size_t j = bits.below(3);
+    const double small = std::pow(10, -60 * uniform(bits)) * uniform_sign(bits);
+    double entry = small;
+    if (bits.below(4) == 0) entry = 0;
+    if (i == j && bits.below(2) == 0) entry = tensor[(i + 1) % 3][(i + 1) % 3] + small;
+    tensor[i][j] = tensor[j][i] = entry;
+    return tensor;
+  };
+  const auto badness = [](const InertiaTensor& tensor) {
+    const Worst worst = worst_of(tensor);
+    INFO("in u: moments " << worst.moment / u << ", gaps " << worst.gap / u << ", axes " << worst.axis / u);
+    CHECK(worst.moment <= 16 * u);
+    CHECK(worst.gap <= 16 * u);
+    CHECK(worst.axis <= 6 * u);
+    return std::max({worst.moment / (16 * u), worst.gap / (16 * u), worst.axis / (6 * u)});
+  };
+  const double worst = climbed(tensor_of({0.3, 0.3, 0.3}, {1e-78, 1e-83, 0}), 60, changed, badness);
+  CHECK(worst <= 1);
+  CHECK(worst > 0.05);  // so that the bounds say something
+}
+
+TEST_CASE("climbing for the worst error of an enclosed gap ends below its bound, 4 u of gaps above 2^-37",
+          "[moments]") {
+  SplitMix bits(43);
+  const auto changed = [&](InertiaTensor tensor) {
+    const std::size_t i = bits.below(3);
+    const std::size_t j = bits.below(3);
+    tensor[i][j] = tensor[j][i] =
+        (i == j ? 1 : 0) + std::exp2(-40 * uniform(bits)) * uniform_sign(bits) * (i == j ? 0.5 : 1);
+    return tensor;
+  };
+  const auto badness = [](const InertiaTensor& tensor) {
+    const auto found = principal_moments(tensor);
+    REQUIRE(found);
+    const JacobiReference<Decimal<100>> exact(tensor);
+    double worst = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
+      const EnclosedGap gap = found->enclosed_gap(k, k - 1);
+      const Decimal<100> error = abs(exact.moments[k] - exact.moments[k - 1] - gap.value);
+      CHECK(error <= gap.error);
+      if (gap.value > 0x1p-37 * abs(found->moments[2].high)) CHECK(gap.error <= 4 * u * gap.value);
+      worst = std::max(worst, static_cast<double>(Decimal<100>(error / gap.error)));
+    }
+    return worst;
+  };
+  const double worst = climbed(tensor_of({1, 1.5, 0.7}, {0.1, 0.2, 0.3}), 400, changed, badness);
+  CHECK(worst <= 1);
+  CHECK(worst > 0.5);  // so that the bound says something
 }
 
 }  // namespace
