@@ -28,7 +28,7 @@ constexpr std::size_t most_judged = 24;
 constexpr std::size_t most_judged_unseen = 64;  // where no sample tells which of them are worth it
 constexpr std::size_t most_judged_held = 200;   // in derivatives that hold other letters
 constexpr std::size_t most_judged_unseen_of_open = 12;
-constexpr std::size_t most_judged_rounded = 160;
+constexpr std::size_t most_judged_rounded = 320;
 constexpr std::uint64_t most_work_unseen = 1'000'000;
 constexpr std::uint64_t most_work_on_one =
     45'000;                               // of these; a proof takes less, and most that fail take more

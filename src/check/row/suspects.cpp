@@ -146,7 +146,7 @@ bool shows_digits(const ExprTree& tree, const Names& names, const Claim& claim) 
 
 /// A row that shows a number, with what is rounded: its neighbours are asked for the digits as it was.
 std::vector<Repair> numbers_near(RowPlace& place, const StepReading& row) {
-  constexpr std::uint64_t most_work = 250'000;
+  constexpr std::uint64_t most_work = 1'000'000;
   DecisionCache& cache = *place.options.cache;
   const ShareOfWork share(cache, most_work);
   const Standpoint here = standpoint_of_proofs(place, row.parsed);
@@ -171,7 +171,8 @@ std::vector<Repair> numbers_near(RowPlace& place, const StepReading& row) {
                                     NotCompared::all_asked));
 }
 
-/// `unread`: the claim is that of a neighbour. `marks_only`: only what takes a dot or a prime back counts.
+/// `unread`: the claim is that of a neighbour. `marks_only`: only what takes a dot, a prime or
+/// the letter below one back counts.
 std::vector<Repair> near_as_read(RowPlace& place, const StepReading& row, const Claim& claim, bool unread,
                                  bool marks_only) {
   if (!marks_only && shows_digits(place.tree, place.names, claim)) {
@@ -186,7 +187,8 @@ std::vector<Repair> near_as_read(RowPlace& place, const StepReading& row, const 
   const Standpoint here = standpoint_of_proofs(place, row.parsed);
   const NeighbourProof follows = [&](ExprTree& tree, const Names& read, const Claim& near,
                                      Slip slip) -> std::optional<std::vector<std::string>> {
-    if (marks_only && slip != Slip::rate && slip != Slip::prime) return std::nullopt;
+    const bool of_a_letter = slip == Slip::rate || slip == Slip::prime || slip == Slip::letter;
+    if (marks_only && !of_a_letter) return std::nullopt;
     Judgement found = judge(tree, read, near, limits_of_candidates, &cache);
     if (found.verdict != Verdict::proved || !found.diagnostics.empty()) {
       auto from_laws = follow_from_laws(tree, read, near, grounds.founded, inferred, cache);
