@@ -140,9 +140,7 @@ bool can_name_quantity(std::string_view phrase) {
   return !prepositions.contains(lowered(words.front())) && !prepositions.contains(lowered(words.back()));
 }
 
-bool can_say_property(std::string_view phrase) {
-  return properties().contains(lowered(phrase));
-}
+bool can_say_property(std::string_view phrase) { return properties().contains(lowered(phrase)); }
 
 bool is_symbol_of_letters(std::string_view phrase) {
   if (!abbreviated(phrase).empty()) return true;
