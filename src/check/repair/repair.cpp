@@ -31,9 +31,10 @@ constexpr std::size_t most_judged_unseen_of_open = 12;
 constexpr std::size_t most_judged_rounded = 320;
 constexpr std::uint64_t most_work_unseen = 1'000'000;
 constexpr std::uint64_t most_work_on_one =
-    45'000;                               // of these; a proof takes less, and most that fail take more
-constexpr std::size_t most_in_vain = 8;   // of these, once one is found
-constexpr std::size_t most_tokens = 400;  // of both sides; longer ones are not mended
+    45'000;                              // of these; a proof takes less, and most that fail take more
+constexpr std::size_t most_in_vain = 8;  // of these, once one is found
+constexpr std::size_t most_in_vain_of_many = 40;
+constexpr std::size_t most_tokens = 400;          // of both sides; longer ones are not mended
 constexpr std::size_t most_to_first_order = 150;  // candidates, since each is differentiated
 /// For samples that candidates are compared on.
 [[nodiscard]] Limits screening(DecisionCache* cache) {
@@ -368,6 +369,7 @@ class RepairSearch {
   std::vector<TrueNeighbour> prove_the_nearest(const std::vector<RepairCandidate>& candidates,
                                                std::size_t most, bool unseen) {
     std::vector<TrueNeighbour> found;
+    const std::size_t patience = most > most_judged_unseen ? most_in_vain_of_many : most_in_vain;
     std::size_t judged = 0;
     std::size_t in_vain = 0;
     int nearest = 0;
@@ -377,7 +379,7 @@ class RepairSearch {
       const bool says_the_same = candidate.slip == Slip::term_missing && mends_a_term[candidate.side];
       if (says_the_same || says_nothing(candidate) || (candidate.roundabout && !found.empty())) continue;
       if (far || found.size() == most_repairs || judged++ == most) break;
-      if (unseen && !found.empty() && in_vain == most_in_vain) break;
+      if (unseen && !found.empty() && in_vain == patience) break;
       auto uses = unseen ? proved_soon(candidate) : proved(candidate);
       if (!uses) {
         ++in_vain;
