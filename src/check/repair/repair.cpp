@@ -217,7 +217,7 @@ class RepairSearch {
     return equations;
   }
 
-  /// The claim itself where it can be read is all that is needed.
+  /// Where both sides can be read, their ranks or indices do not fit, and the nearest one that does will do.
   void keep_if_richer(const Claim& claim) {
     if (typed(0) && typed(1) && richest_claim_) return;
     const std::size_t letters = base_letters(tree_, names_.scope, claim.equation).size();

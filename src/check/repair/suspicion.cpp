@@ -339,8 +339,7 @@ class Suspecting {
   const Names& names_;
   const OpenRow& row_;
   DecisionCache& cache_;
-  WrongStep
-      wrong_;  // what is constant on samples is not so where it is read: \frac{d}{dt}(uw) is not u\dot w
+  WrongStep wrong_;            // proved without what is constant on samples: \frac{d}{dt}(uw) is not u\dot w
   std::optional<bool> usual_;  // does a usual condition make the row true?
 };
 
