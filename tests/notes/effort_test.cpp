@@ -64,7 +64,7 @@ std::uint64_t most_work_in(const std::string& name, std::string text) {
 
 }  // namespace
 
-TEST_CASE("no step of our notes takes more work than the default", "[notes]") {
+TEST_CASE("no step of our notes takes more work than the default", "[long]") {
   std::uint64_t most = 0;
   for (const char* folder : {"../../derivations", "pass", "fail"}) {
     for (const std::string& path : notes_in(folder)) {

@@ -52,23 +52,11 @@ std::string first_difference(const std::string& one, const std::string& two) {
   }
 }
 
-TEST_CASE("the terminal report of all notes is the same in two processes") {
-  const Words arguments = check_all({"--color", "always"});
-  const std::string report = without_time(run_program(arguments).text);
-  CHECK(first_difference(report, without_time(run_program(arguments).text)) == "");
-}
-
 TEST_CASE("the terminal report of all notes is the same twice in one process, and in another one", "[long]") {
   const Words arguments = check_all({"--color", "always"});
   const std::string report = without_time(run_inside(arguments).text);
   CHECK(first_difference(report, without_time(run_inside(arguments).text)) == "");
   CHECK(first_difference(report, without_time(run_program(arguments).text)) == "");
-}
-
-TEST_CASE("the JSON of all notes is the same in two processes, but for its milliseconds") {
-  const Words arguments = check_all({"--json"});
-  const std::string report = without_milliseconds(run_program(arguments).text);
-  CHECK(first_difference(report, without_milliseconds(run_program(arguments).text)) == "");
 }
 
 TEST_CASE("the JSON of all notes is the same twice in one process, and in another one", "[long]") {

@@ -133,7 +133,7 @@ TEST_CASE("a number that was changed in the JSON is found, in every refutation o
   CHECK(refused >= 100);
 }
 
-TEST_CASE("every plain refutation in the small notes can be replayed from the JSON") {
+TEST_CASE("every plain refutation in the small notes can be replayed from the JSON", "[long]") {
   int replays = 0;
   for (const auto& entry : std::filesystem::directory_iterator("fail")) {
     if (entry.path().extension() != ".md") continue;
