@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <utility>
 
@@ -42,6 +43,14 @@ Result<MappedFile> MappedFile::open(const std::string& path) {
   if (start == MAP_FAILED) return system_refuses();
   ::madvise(start, size, MADV_SEQUENTIAL);
   return MappedFile({static_cast<const char*>(start), size});
+}
+
+void MappedFile::forget(std::size_t begin, std::size_t count) const {
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const std::size_t first = (begin + page - 1) / page * page;
+  const std::size_t end = std::min(begin + count, bytes_.size());
+  if (first + page > end) return;
+  ::madvise(const_cast<char*>(bytes_.data()) + first, (end - first) / page * page, MADV_DONTNEED);
 }
 
 MappedFile::MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}

@@ -21,6 +21,8 @@ class MappedFile {
   ~MappedFile();
 
   [[nodiscard]] std::string_view bytes() const { return bytes_; }
+  /// Takes the whole pages of these bytes out of memory; they are read again where they are looked at.
+  void forget(std::size_t begin, std::size_t count) const;
 
  private:
   explicit MappedFile(std::string_view bytes) : bytes_(bytes) {}

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <functional>
 #include <iostream>
+#include <utility>
 
 #include "app/command/scene.h"
 #include "numeric/body/body_letters.h"
@@ -46,7 +47,9 @@ double ratio(const LoadedScene& loaded, const Body& body) {
   SceneResult result;
   for (int round = 0; round < rounds; ++round) {
     sum = std::min(sum, milliseconds([&] { value = evaluate(program, samples)[0]; }));
-    scene = std::min(scene, milliseconds([&] { result = evaluate_scene(loaded.scene, body, forms); }));
+    Body given = body;
+    scene = std::min(scene,
+                     milliseconds([&] { result = evaluate_scene(loaded.scene, std::move(given), forms); }));
   }
   const double asked = result.quantities.at(0).value.at(0);
   fmt::print("{:>9} particles: sum {:.4f} ms, scene {:.4f} ms, ratio {:.3f}; {:.10g} and {:.10g}\n",

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "app/host/sample_bodies.h"
 #include "base/among.h"
@@ -116,7 +117,7 @@ ExitCode compute(const std::string& path, const SceneCommand& command, std::ostr
   SourceMap sources;
   LoadedScene loaded;
   if (const ExitCode code = load_scene(path, sources, loaded, err); code != ExitCode::ok) return code;
-  const SceneResult result = evaluate_scene(loaded.scene, loaded.body, loaded.reading.forms);
+  const SceneResult result = evaluate_scene(loaded.scene, std::move(loaded.body), loaded.reading.forms);
   const bool wrong = print(result.diagnostics, sources, err);
   out << (command.json ? to_json(result, sources, command.explain)
                        : print_scene(result, {.explain = command.explain}));

@@ -100,11 +100,11 @@ void tell_moments_apart(KnownInertia& known, const std::vector<PlacedBody>& part
 
 /// The places of a part's particles in the whole; `place` is the part's.
 void add_places(Body& whole, const Body& part, std::size_t axis, double place) {
-  const std::vector<double> errors = place_errors(part, axis);
+  const ErrorBounds errors = place_errors(part, axis);
   for (std::size_t k = 0; k < part.size(); ++k) {
     const double x = part.positions[axis][k];
     whole.positions[axis].push_back(x + place);
-    whole.errors.each[axis].push_back(errors[k] + 2 * 0x1p-53 * (std::abs(x) + std::abs(place)));
+    whole.errors.each[axis].push_back(errors.of(k, x) + 2 * 0x1p-53 * (std::abs(x) + std::abs(place)));
   }
 }
 

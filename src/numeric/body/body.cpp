@@ -50,20 +50,18 @@ double away_from(double x, const HighLow& centre) {
   return difference.high + (difference.low - centre.low);
 }
 
-MovedCoordinates moved_coordinates(const double* coordinates, std::size_t count, std::size_t stride,
-                                   const HighLow& centre, double unit) {
-  MovedCoordinates moved;
-  moved.values.resize(count);
-  moved.rounded = unit != 1;
+MoveErrors move_coordinates(const double* coordinates, std::size_t stride, const HighLow& centre, double unit,
+                            std::span<double> into) {
+  MoveErrors errors{.rounded = unit != 1};
   double extent = 0;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < into.size(); ++k) {
     const double x = coordinates[stride * k];
-    moved.rounded = moved.rounded || baseline::exact_difference(x, centre.high).low != centre.low;
-    moved.values[k] = away_from(x, centre) * unit;
-    extent = std::max(extent, std::abs(moved.values[k]));
+    errors.rounded = errors.rounded || baseline::exact_difference(x, centre.high).low != centre.low;
+    into[k] = away_from(x, centre) * unit;
+    extent = std::max(extent, std::abs(into[k]));
   }
-  moved.shift = centre_rounding * extent + 0x1p-103 * std::abs(centre.high * unit) + 0x1p-1073;
-  return moved;
+  errors.shift = centre_rounding * extent + 0x1p-103 * std::abs(centre.high * unit) + 0x1p-1073;
+  return errors;
 }
 
 Result<Body> centred(Body body) {
@@ -73,8 +71,8 @@ Result<Body> centred(Body body) {
   bool rounded = false;
   double shift = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    auto moved = moved_coordinates(body.positions[axis].data(), body.size(), 1, (*centre)[axis]);
-    body.positions[axis] = std::move(moved.values);
+    std::vector<double>& places = body.positions[axis];
+    const MoveErrors moved = move_coordinates(places.data(), 1, (*centre)[axis], 1, places);
     rounded = rounded || moved.rounded;
     shift = std::max(shift, moved.shift);
   }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -73,14 +74,14 @@ struct Body {
 /// wherever it was before, as far as its coordinates had the digits. Cost: O(N).
 [[nodiscard]] Result<Body> centred(Body body);
 
-/// x − centre for all coordinates x along an axis, times the unit, with bounds of what that rounds.
-struct MovedCoordinates {
-  std::vector<double> values;
+/// (x − centre) unit of coordinates x along an axis, each `stride` after the one before, one after the other
+/// into `into`, which may be where they are. Bounds of what that rounds:
+struct MoveErrors {
   bool rounded = false;  // by u of itself, or twice that if by the unit, too
   double shift = 0;      // m
 };
-[[nodiscard]] MovedCoordinates moved_coordinates(const double* coordinates, std::size_t count,
-                                                 std::size_t stride, const HighLow& centre, double unit = 1);
+[[nodiscard]] MoveErrors move_coordinates(const double* coordinates, std::size_t stride,
+                                          const HighLow& centre, double unit, std::span<double> into);
 
 /// What is known of the inertia of points from their sharp sums, in units of `unit` m; nothing
 /// where that overflows.

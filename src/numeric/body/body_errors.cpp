@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "numeric/lane/double_double.h"
 
@@ -44,27 +45,43 @@ InertiaTensor along(const std::array<Position, 3>& axes, const InertiaTensor& en
 
 }  // namespace
 
-std::vector<double> place_errors(const Body& body, std::size_t axis) {
+ErrorBounds place_errors(const Body& body, std::size_t axis) {
   const BodyErrors& errors = body.errors;
-  std::vector<double> bounds(body.size(), errors.shift);
-  for (std::size_t k = 0; k < body.size(); ++k) {
-    bounds[k] += errors.place * std::abs(body.positions[axis][k]);
-    if (!errors.each[axis].empty()) bounds[k] += errors.each[axis][k];
-    bounds[k] *= upwards;
+  ErrorBounds bounds{.absolute = errors.shift * upwards, .relative = errors.place * upwards};
+  if (errors.each[axis].empty()) return bounds;
+  std::vector<double> each = errors.each[axis];
+  for (double& error : each) error *= upwards;
+  bounds.each = std::make_shared<const std::vector<double>>(std::move(each));
+  return bounds;
+}
+
+ErrorBounds turned_place_errors(const Body& body, double turning) {
+  const BodyErrors& errors = body.errors;
+  constexpr double most_components = 1.7320508075688774;  // |x| + |y| + |z| over the distance: √3
+  const double rounding = turning + 4 * 0x1p-53;          // sin θ and 3 roundings, and
+  constexpr double lost = 0x1p-500;                       // what squares lost below the normal range
+  ErrorBounds bounds{.absolute = (3 * errors.shift + rounding * lost) * upwards,
+                     .of_distance = (errors.place * most_components + rounding) * upwards};
+  for (std::size_t i = 0; i < 3; ++i) bounds.places[i] = ColumnValues(body.positions[i]);
+  std::vector<double> each;
+  for (const std::vector<double>& along : errors.each) {
+    each.resize(std::max(each.size(), along.size()));
+    for (std::size_t k = 0; k < along.size(); ++k) each[k] += along[k] * upwards;
   }
+  if (!each.empty()) bounds.each = std::make_shared<const std::vector<double>>(std::move(each));
   return bounds;
 }
 
 double inertia_error(const Body& body) {
-  std::array<std::vector<double>, 3> errors;
-  for (std::size_t axis = 0; axis < 3; ++axis) errors[axis] = place_errors(body, axis);
+  const std::array<ErrorBounds, 3> errors{place_errors(body, 0), place_errors(body, 1),
+                                          place_errors(body, 2)};
   double sum = 0;
   for (std::size_t k = 0; k < body.size(); ++k) {
     double square = 0;
     double change = 0;  // of the square
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double x = std::abs(body.positions[axis][k]);
-      const double error = errors[axis][k];
+      const double error = errors[axis].of(k, x);
       square += x * x;
       change += 2 * x * error + error * error;
     }

@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "numeric/body/bodies.h"
+#include "numeric/program/samples.h"
 
 namespace rigor {
 
-/// m, of the coordinate along an axis, for each particle: see `BodyErrors`.
-[[nodiscard]] std::vector<double> place_errors(const Body& body, std::size_t axis);
+/// m, of the coordinates along an axis: see `BodyErrors`.
+[[nodiscard]] ErrorBounds place_errors(const Body& body, std::size_t axis);
+/// The same along any axis to which particles are turned, each of whose components is off by `turning` at
+/// most. Refers to the body's places, which may be turned.
+[[nodiscard]] ErrorBounds turned_place_errors(const Body& body, double turning);
 
 /// How far any entry of the inertia tensor of the particles, about their centre of mass, may be from that of
 /// the described body, kg m². Error: rounded upwards. Cost: O(N).

@@ -29,7 +29,7 @@ bool are_exact(const Program& program, const Samples& samples) {
   return std::ranges::all_of(program.inputs(), [&](const ProgramInput& input) {
     const Column& column = *samples.find(input.symbol, input.component);
     if (column.digits != nullptr) return column.digits->error == 0;
-    return column.errors == nullptr || std::ranges::all_of(*column.errors, [](double e) { return e == 0; });
+    return column.errors.are_zero();
   });
 }
 
@@ -72,7 +72,7 @@ BoundedResults evaluate_with_bounds(const Program& program, const Samples& sampl
                                     std::span<const std::uint32_t> at) {
   const auto input = [uncertainty](const Column& column, std::size_t n) {
     const double value = column.values[n];
-    const double error = uncertainty * std::abs(value) + std::abs(column.low) + column.error(n);
+    const double error = uncertainty * std::abs(value) + std::abs(column.low) + column.errors.of(n, value);
     return error == 0.0 ? Bounded(value) : Bounded(value, error + Bounded::least);
   };
   SampleEngine<Bounded> engine(program, samples, Lanes::none, at, input);

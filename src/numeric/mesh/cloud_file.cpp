@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -53,31 +54,58 @@ std::size_t threads_for(std::size_t points) {
   return points > many_points ? std::thread::hardware_concurrency() : 1;
 }
 
-/// Points at (x − centre) unit, where `centre` is theirs: rounded as `away_from` says, and once by the unit.
-Result<Body> about_centre(std::string name, const PointColumns& points, double unit) {
+/// Of points in units of `unit` m, whose inertia becomes known.
+Result<SharpPosition> centre_of(const PointColumns& points, double unit, Body& body) {
   const SumOptions options{threads_for(points.count)};
-  Body body{std::move(name), {}, {}, {}};
-  SharpPosition centre{};
   if (const auto sums = sharp_mass_sums(points, options)) {
-    centre = sums->centre;
     body.known = known_inertia(*sums, unit);
     if (body.known)
       tell_moments_apart(*body.known, [&] { return times(times(exact_body(points).inertia, unit), unit); });
-  } else if (const auto alone = sharp_centre_of_mass(points, options)) {  // where the inertia overflows
-    centre = *alone;
-  } else {
-    return tl::unexpected(alone.error());
+    return sums->centre;
   }
-  body.masses.resize(points.count);
-  for (std::size_t k = 0; k < points.count; ++k) body.masses[k] = points.mass[points.stride * k];
+  return sharp_centre_of_mass(points, options);  // where the inertia overflows
+}
+
+/// Points from `begin` on, at (x − centre) unit: rounded as `away_from` says, and once by the unit.
+void move_points(const PointColumns& points, std::size_t begin, std::size_t count,
+                 const SharpPosition& centre, double unit, Body& body) {
   for (std::size_t i = 0; i < 3; ++i) {
-    auto moved = moved_coordinates(points.position[i], points.count, points.stride, centre[i], unit);
-    body.positions[i] = std::move(moved.values);
+    const std::span<double> into = std::span(body.positions[i]).subspan(begin, count);
+    const double* const from = points.position[i] + points.stride * begin;
+    const MoveErrors moved = move_coordinates(from, points.stride, centre[i], unit, into);
     if (moved.rounded) body.errors.place = 0x1.01p-52;
     body.errors.shift = std::max(body.errors.shift, moved.shift);
   }
-  if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
-  return body;
+}
+
+/// Moved from the file block by block, which is then forgotten: the points are in memory once.
+Result<void> move_records(const MappedFile& file, double unit, Body& body) {
+  constexpr std::size_t block = 1 << 16;
+  const auto records = records_of(file.bytes());
+  if (!records) return tl::unexpected(records.error());
+  const auto centre = centre_of(*records, unit, body);
+  if (!centre) return tl::unexpected(centre.error());
+  body.masses.reserve(records->count);  // and not written to before the file's are forgotten
+  for (std::vector<double>& coordinates : body.positions) coordinates.reserve(records->count);
+  for (std::size_t begin = 0; begin < records->count; begin += block) {
+    const std::size_t count = std::min(block, records->count - begin);
+    for (std::vector<double>& coordinates : body.positions) coordinates.resize(begin + count);
+    move_points(*records, begin, count, *centre, unit, body);
+    for (std::size_t k = begin; k < begin + count; ++k)
+      body.masses.push_back(records->mass[records->stride * k]);
+    file.forget(begin * record_size, count * record_size);
+  }
+  return {};
+}
+
+/// Moved where they lie.
+Result<void> move_columns(std::array<std::vector<double>, 4> columns, double unit, Body& body) {
+  for (std::size_t i = 0; i < 3; ++i) body.positions[i] = std::move(columns[i]);
+  body.masses = std::move(columns[3]);
+  const auto centre = centre_of(points_of(body), unit, body);
+  if (!centre) return tl::unexpected(centre.error());
+  move_points(points_of(body), 0, body.size(), *centre, unit, body);
+  return {};
 }
 
 }  // namespace
@@ -87,15 +115,17 @@ Result<Body> read_cloud(std::string name, const std::string& path, double unit) 
   if (!format) return tl::unexpected(format.error());
   const auto file = cloud_bytes(path);
   if (!file) return tl::unexpected(file.error());
-  if (*format == CloudFormat::binary) {
-    const auto records = records_of(file->bytes());
-    if (!records) return tl::unexpected(records.error());
-    return about_centre(std::move(name), *records, unit);
-  }
-  const auto columns = parse_cloud(file->bytes());
-  if (!columns) return tl::unexpected(columns.error());
-  const auto& [x, y, z, m] = *columns;
-  return about_centre(std::move(name), {{x.data(), y.data(), z.data()}, m.data(), m.size()}, unit);
+  Body body{std::move(name), {}, {}, {}};
+  const auto read = [&]() -> Result<void> {
+    if (*format == CloudFormat::binary) return move_records(*file, unit, body);
+    auto columns =
+        parse_cloud(file->bytes(), [&](std::size_t begin, std::size_t count) { file->forget(begin, count); });
+    if (!columns) return tl::unexpected(columns.error());
+    return move_columns(std::move(*columns), unit, body);
+  };
+  if (const auto done = read().and_then([&] { return check_body(body); }); !done)
+    return tl::unexpected(done.error());
+  return body;
 }
 
 }  // namespace rigor

@@ -51,7 +51,11 @@ Result<std::optional<std::array<double, 4>>> parse_line(std::string_view line) {
 
 }  // namespace
 
-Result<std::array<std::vector<double>, 4>> parse_cloud(std::string_view text) {
+Result<std::array<std::vector<double>, 4>> parse_cloud(
+    std::string_view text, const std::function<void(std::size_t, std::size_t)>& parsed) {
+  constexpr std::size_t large = 1 << 22;
+  const std::size_t size = text.size();
+  std::size_t told = 0;
   std::array<std::vector<double>, 4> columns;
   for (std::size_t line = 1; !text.empty(); ++line) {
     const std::size_t length = std::min(text.find('\n'), text.size());
@@ -64,6 +68,10 @@ Result<std::array<std::vector<double>, 4>> parse_cloud(std::string_view text) {
       for (std::size_t i = 0; i < 4; ++i) columns[i].push_back((**numbers)[i]);
     }
     text.remove_prefix(std::min(length + 1, text.size()));
+    const std::size_t done = size - text.size();
+    if (!parsed || done - told < large) continue;
+    parsed(told, done - told);
+    told = done;
   }
   return columns;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -11,7 +12,9 @@
 namespace rigor {
 
 /// x, y, z and m of all points of a `.txt` or `.csv` file, see cloud_file.h. Cost: that of `from_chars`; the
-/// text is not copied. At most `most_particles`.
-[[nodiscard]] Result<std::array<std::vector<double>, 4>> parse_cloud(std::string_view text);
+/// text is not copied. At most `most_particles`. `parsed(begin, count)` is called now and then with the bytes
+/// that are not looked at any more.
+[[nodiscard]] Result<std::array<std::vector<double>, 4>> parse_cloud(
+    std::string_view text, const std::function<void(std::size_t, std::size_t)>& parsed = {});
 
 }  // namespace rigor

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/program/samples.h"
 
+#include <cmath>
+
 #include "base/check.h"
 
 namespace rigor {
@@ -13,6 +15,21 @@ Column column_of(std::vector<double> values, std::size_t sample_stride, std::siz
 }
 
 }  // namespace
+
+bool ErrorBounds::are_zero() const {
+  const bool any_each = each != nullptr && std::ranges::any_of(*each, [](double e) { return e != 0; });
+  return absolute == 0 && relative == 0 && of_distance == 0 && !any_each;
+}
+
+double ErrorBounds::of(std::size_t n, double value) const {
+  double bound = absolute + relative * std::abs(value);
+  if (of_distance != 0) {
+    double square = 0;
+    for (const ColumnValues& x : places) square += x[n] * x[n];
+    bound += of_distance * std::sqrt(square);
+  }
+  return each == nullptr ? bound : bound + (*each)[n];
+}
 
 void Samples::put(SymbolId symbol, std::uint32_t component, std::vector<double> values,
                   std::size_t sample_stride, std::size_t particle_stride) {
@@ -52,11 +69,12 @@ void Samples::set_particles_each(SymbolId symbol, std::uint32_t component, std::
   put(symbol, component, std::move(values), 1, samples_);
 }
 
-void Samples::set_errors(SymbolId symbol, std::uint32_t component, std::vector<double> errors) {
+void Samples::set_errors(SymbolId symbol, std::uint32_t component, ErrorBounds errors) {
   Column& column = columns_.at({symbol, component});
-  RIGOR_CHECK(errors.size() == 1 || errors.size() == column.values.size(), errors.size(),
-              column.values.size());
-  column.errors = std::make_shared<const std::vector<double>>(std::move(errors));
+  const std::size_t count = column.values.size();
+  RIGOR_CHECK(errors.each == nullptr || errors.each->size() == count, errors.each->size(), count);
+  RIGOR_CHECK(errors.of_distance == 0 || errors.places[0].size() == count, errors.places[0].size(), count);
+  column.errors = std::move(errors);
 }
 
 Samples Samples::only(std::span<const std::size_t> which) const {
@@ -64,7 +82,7 @@ Samples Samples::only(std::span<const std::size_t> which) const {
   for (const auto& [key, column] : columns_) {
     if (column.sample_stride == 0) {
       chosen.columns_[key] = column;
-      chosen.columns_[key].errors = nullptr;
+      chosen.columns_[key].errors = {};
       continue;
     }
     const std::size_t particles = column.particle_stride == 0 ? 1 : particles_;

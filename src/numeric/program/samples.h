@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <span>
@@ -27,21 +28,29 @@ struct ColumnValues : std::span<const double> {
   }
 };
 
+/// Bounds of the errors of a column's values: the sum of what is given. Where particles are many, a rule
+/// takes the place of a number for each.
+struct ErrorBounds {
+  double absolute = 0;     // of each value
+  double relative = 0;     // to its size
+  double of_distance = 0;  // to the particle's distance from the origin: √(x² + y² + z²) of
+  std::array<ColumnValues, 3> places = {};
+  std::shared_ptr<const std::vector<double>> each = {};  // one for each value
+
+  [[nodiscard]] bool are_zero() const;
+  /// Of value n of the column.
+  [[nodiscard]] double of(std::size_t n, double value) const;
+};
+
 /// values[sample · sample_stride + particle · particle_stride]; a stride of 0: the same for all.
 struct Column {
   ColumnValues values;
   std::size_t sample_stride = 0;
   std::size_t particle_stride = 0;
-  std::shared_ptr<const std::vector<double>> owned = {};   // what `values` shows, unless it is borrowed
-  double low = 0;                                          // to be added to a value that is the same for all
-  std::shared_ptr<const std::vector<double>> errors = {};  // bounds, of each value or of all; none: exact
-  std::shared_ptr<const LongNumber> digits = {};           // more of a value that is the same for all
-
-  /// Of how far the exact number may be from value n and the low part.
-  [[nodiscard]] double error(std::size_t n) const {
-    if (errors == nullptr) return 0;
-    return errors->size() == 1 ? errors->front() : (*errors)[n];
-  }
+  std::shared_ptr<const std::vector<double>> owned = {};  // what `values` shows, unless it is borrowed
+  double low = 0;                                         // to be added to a value that is the same for all
+  ErrorBounds errors = {};                                // of value and low part; of 0: they are exact
+  std::shared_ptr<const LongNumber> digits = {};          // more of a value that is the same for all
 };
 
 class Samples {
@@ -66,9 +75,8 @@ class Samples {
   /// One for each particle of each sample: values[particle · samples + sample].
   void set_particles_each(SymbolId symbol, std::uint32_t component, std::vector<double> values);
 
-  /// Bounds of the errors of what was put there: one for each value, or one for all. Arithmetic with bounds
-  /// reads them.
-  void set_errors(SymbolId symbol, std::uint32_t component, std::vector<double> errors);
+  /// Of what was put there. Arithmetic with bounds reads them. Places must outlive the samples.
+  void set_errors(SymbolId symbol, std::uint32_t component, ErrorBounds errors);
 
   /// Some of the samples, in the given order; one may be taken several times. Without errors.
   [[nodiscard]] Samples only(std::span<const std::size_t> which) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,12 +13,14 @@
 
 namespace rigor {
 
-/// data[sample · sample_stride + particle · particle_stride]
+/// data[sample · sample_stride + particle · particle_stride], or, of particles too many to be held as T, what
+/// `read` puts there for those from `begin` on.
 template <class T>
 struct BoundInput {
   const T* data = nullptr;
   std::size_t sample_stride = 0;
   std::size_t particle_stride = 0;
+  std::function<void(std::size_t begin, std::span<T> into)> read = {};
 };
 
 inline constexpr std::size_t cache_line = 64;  // which no load of the widest lanes may straddle, for speed
@@ -76,7 +79,13 @@ class Engine {
   Engine& operator=(const Engine&) = delete;
 
   /// Must outlive the runs. Every input has to be bound.
-  void bind(std::size_t input, const BoundInput<T>& to) { inputs_[input] = to; }
+  void bind(std::size_t input, const BoundInput<T>& to) {
+    inputs_[input] = to;
+    if (!to.read) return;
+    windows_.resize(plan_.inputs.size());
+    for (std::size_t which = 0; which < plan_.inputs.size(); ++which)
+      if (plan_.inputs[which].input == input) windows_[which].numbers.resize(window_size);
+  }
   /// Which particle (from 0) a free particle variable is.
   void set_free_particle(std::size_t variable, std::uint32_t particle) { free_[variable] = particle; }
 
@@ -163,7 +172,8 @@ class Engine {
     } else if (input.particle != InputParticle::none) {
       particle = particle_[input.particle];
     }
-    const T* first = from.data + sample_ * from.sample_stride + particle * from.particle_stride;
+    const T* first = from.read ? in_window(windows_[which], from, particle)
+                               : from.data + sample_ * from.sample_stride + particle * from.particle_stride;
     T*& slot = slots_[plan_.first_input() + which];
     const std::size_t stride = input.lanes_are_particles ? from.particle_stride : from.sample_stride;
     const int count = input.lanes_are_particles ? particles_here_ : samples_here_;
@@ -176,6 +186,22 @@ class Engine {
     for (int i = count; i < lane_count; ++i) slot[i] = T(0);
   }
 
+  /// Some particles' numbers, from one that begins lanes on.
+  struct Window {
+    std::vector<T> numbers;
+    std::size_t begin = static_cast<std::size_t>(-1);  // none yet
+  };
+  static constexpr std::size_t window_size = 4 * lane_count;
+
+  const T* in_window(Window& window, const BoundInput<T>& from, std::size_t particle) {
+    const std::size_t begin = particle / window_size * window_size;
+    if (window.begin != begin) {
+      from.read(begin, std::span(window.numbers).first(std::min(window_size, particles_ - begin)));
+      window.begin = begin;
+    }
+    return window.numbers.data() + (particle - begin);
+  }
+
   Plan plan_;
   std::size_t particles_;
   std::vector<BoundInput<T>> inputs_;
@@ -186,6 +212,7 @@ class Engine {
                              // and each output
   std::vector<T*> buffers_;  // by input of the plan, then by output
   std::vector<T*> slots_;
+  std::vector<Window> windows_;  // by input of the plan; empty if none is needed
   std::size_t sample_ = 0;
   std::size_t particle_[deepest_level + 1] = {};
   int samples_here_ = 1;    // of the batch

@@ -9,6 +9,8 @@
 
 namespace rigor {
 
+inline constexpr std::size_t many_particles_at_once = 1 << 14;
+
 /// Number n of a column, with its error and with all its digits if T has any.
 template <class T>
 struct InputOf {
@@ -18,13 +20,14 @@ struct InputOf {
       if (column.digits != nullptr) return T::with_digits(*column.digits);
     }
     if constexpr (requires { T::with_error(value, value, value); })
-      return T::with_error(value, column.low, column.error(n));
+      return T::with_error(value, column.low, column.errors.of(n, value));
     else
       return column.low == 0 ? T(value) : T(value) + T(column.low);
   }
 };
 
-/// An engine with the columns of samples as its inputs; those that are not doubles already are rounded here.
+/// An engine with the columns of samples as its inputs. Where T is no double, numbers become T here, those of
+/// many particles a few at a time: no more than the samples' own columns is in memory.
 template <class T>
 class SampleEngine {
  public:
@@ -42,6 +45,13 @@ class SampleEngine {
       if constexpr (std::is_same_v<T, double>) {
         data = column.values.data();
       } else {
+        if (column.sample_stride == 0 && column.values.size() > many_particles_at_once) {
+          const auto read = [&column, input](std::size_t begin, std::span<T> into) {
+            for (std::size_t k = 0; k < into.size(); ++k) into[k] = input(column, begin + k);
+          };
+          engine_.bind(i, {nullptr, 0, 1, read});
+          continue;
+        }
         std::vector<T>& own = rounded_.emplace_back();
         own.reserve(column.values.size());
         for (std::size_t n = 0; n < column.values.size(); ++n) own.push_back(input(column, n));

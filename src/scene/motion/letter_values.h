@@ -20,7 +20,7 @@ struct LetterValue {
   /// Bounds of the errors of the components, or of the values of each for all particles; empty: they are
   /// exact.
   std::vector<double> errors = {};
-  std::vector<std::vector<double>> particle_errors = {};
+  std::vector<ErrorBounds> particle_errors = {};
   std::vector<LongNumber> digits = {};  // of each component; empty: there are no more
 };
 

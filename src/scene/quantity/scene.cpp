@@ -5,16 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/among.h"
 #include "scene/quantity/scene_evaluation.h"
 
 namespace rigor {
 
-SceneEvaluation::SceneEvaluation(const SceneFile& scene, const Body& body, const WrittenForms& forms)
+SceneEvaluation::SceneEvaluation(const SceneFile& scene, Body body, const WrittenForms& forms)
     : scene_(scene),
       forms_(forms),
-      body_(body, ledger_),
+      body_(std::move(body), scene.errors, ledger_),
       letters_(scene, forms, result_.diagnostics),
       values_(scene, forms.tree, letters_, body_),
       spin_symbols_(letters_.with_role(SceneRole::spin)),
@@ -115,8 +116,8 @@ SceneCounts SceneResult::counts() const {
   return counts;
 }
 
-SceneResult evaluate_scene(const SceneFile& scene, const Body& body, const WrittenForms& forms) {
-  return SceneEvaluation(scene, body, forms).run();
+SceneResult evaluate_scene(const SceneFile& scene, Body body, const WrittenForms& forms) {
+  return SceneEvaluation(scene, std::move(body), forms).run();
 }
 
 }  // namespace rigor

@@ -59,7 +59,7 @@ struct SceneResult {
 
 /// `forms` must answer `asked_of_notes(scene)`; where a motion is asked, its chains must have the tag or
 /// heading `scene.motion->equations`. What cannot be computed is a diagnostic at its place in the scene's
-/// file; the other quantities are there.
-[[nodiscard]] SceneResult evaluate_scene(const SceneFile& scene, const Body& body, const WrittenForms& forms);
+/// file; the other quantities are there. A body that is moved in is in memory once, whatever is asked.
+[[nodiscard]] SceneResult evaluate_scene(const SceneFile& scene, Body body, const WrittenForms& forms);
 
 }  // namespace rigor

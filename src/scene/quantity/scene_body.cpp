@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rigor {
 namespace {
@@ -82,7 +83,8 @@ Result<SharpPosition> moments_in_order_of_axes(const SharpTensor& tensor, double
 
 }  // namespace
 
-SceneBody::SceneBody(const Body& body, SceneLedger& ledger) : body_(body), ledger_(ledger) {
+SceneBody::SceneBody(Body body, bool with_errors, SceneLedger& ledger)
+    : body_(std::move(body)), with_errors_(with_errors), ledger_(ledger) {
   for (const char* node :
        {particles_node, tensor_node, sharp_tensor_node, moments_node, axes_node, places_node}) {
     ledger.expect(node, "nothing that was asked needs it");
@@ -200,26 +202,28 @@ const Result<SceneBody::Axes>& SceneBody::axes() {
   return *axes_;
 }
 
-const Result<SceneBody::Places>& SceneBody::places_along_axes() {
-  if (places_) return *places_;
-  const auto& turn = axes();
+const Result<void>& SceneBody::turn_places() {
+  if (turned_) return *turned_;
+  const auto& turn = axes();  // asks for the tensor, too
   if (!turn) {
-    places_ = tl::unexpected(turn.error());
-    return *places_;
+    turned_ = tl::unexpected(turn.error());
+    return *turned_;
   }
-  places_ = ledger_.compute(places_node, "turned", [&] {
-    Places places;
-    for (std::size_t k = 0; k < 3; ++k) {
-      places[k].resize(body_.size());
-      const Position& axis = (*turn)[k];
-      for (std::size_t p = 0; p < body_.size(); ++p) {
-        places[k][p] = axis[0] * body_.positions[0][p] + axis[1] * body_.positions[1][p] +
-                       axis[2] * body_.positions[2][p];
-      }
+  if (with_errors_) (void)described_error();
+  turned_ = ledger_.compute(places_node, "turned", [&]() -> Result<void> {
+    auto& [x, y, z] = body_.positions;
+    for (std::size_t p = 0; p < body_.size(); ++p) {
+      const Position place = body_.position(p);
+      const auto along = [&](const Position& axis) {
+        return axis[0] * place[0] + axis[1] * place[1] + axis[2] * place[2];
+      };
+      x[p] = along((*turn)[0]);
+      y[p] = along((*turn)[1]);
+      z[p] = along((*turn)[2]);
     }
-    return Result<Places>(std::move(places));
+    return {};
   });
-  return *places_;
+  return *turned_;
 }
 
 }  // namespace rigor

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene's body and what can be known of it, each computed once and only when asked: the inertia tensor, the
-// principal moments (values alone), the principal axes, the particles' places along them.
+// principal moments (values alone), the principal axes, the particles along them.
 #pragma once
 
 #include <optional>
 
 #include "numeric/body/body.h"
 #include "numeric/kernels/principal_moments.h"
+#include "numeric/program/samples.h"
 #include "scene/quantity/explain.h"
 
 namespace rigor {
@@ -20,9 +21,10 @@ class SceneBody {
   static constexpr const char* axes_node = "principal axes";
   static constexpr const char* places_node = "particles along the principal axes";
 
-  /// Kept by reference.
-  SceneBody(const Body& body, SceneLedger& ledger);
+  /// The ledger is kept by reference. `with_errors`: bounds of errors will be asked for.
+  SceneBody(Body body, bool with_errors, SceneLedger& ledger);
 
+  /// Its places are along `axes` once `turn_places` was called.
   [[nodiscard]] const Body& body() const { return body_; }
   [[nodiscard]] const Result<InertiaTensor>& tensor();
   /// Is the file's set of axes a principal one? No product of inertia exceeds 64 u times the trace.
@@ -38,9 +40,9 @@ class SceneBody {
   /// computed.
   using Axes = std::array<Position, 3>;
   [[nodiscard]] const Result<Axes>& axes();
-  /// Coordinates of the particles along `axes`.
-  using Places = std::array<std::vector<double>, 3>;
-  [[nodiscard]] const Result<Places>& places_along_axes();
+  /// Turns the particles where they lie, so that a large cloud is in memory once, and asks for what is known
+  /// of the places before.
+  [[nodiscard]] const Result<void>& turn_places();
 
   /// Bounds of the errors of what these give, for the body that was described (`BodyErrors`); infinite where
   /// none is known, also where they fail. Of any entry of the tensor; of each moment; of any component of
@@ -49,8 +51,8 @@ class SceneBody {
   [[nodiscard]] Position moment_errors();
   [[nodiscard]] Position axis_errors();
   [[nodiscard]] Position turning_errors();
-  /// Of the coordinate along an axis, for each particle.
-  [[nodiscard]] std::vector<double> place_errors_along(std::size_t k);
+  /// Of the coordinates along an axis of particles that are turned.
+  [[nodiscard]] ErrorBounds place_errors_along(std::size_t k);
 
  private:
   const Result<SharpTensor>& sharp_tensor();
@@ -63,7 +65,11 @@ class SceneBody {
   /// What the body's file says of it, where its particles stand for that and differ by their rounding alone.
   std::optional<SharpTensor> said_inertia();
 
-  const Body& body_;
+  /// Of any entry of the tensor, by what the particles lost when they were made.
+  [[nodiscard]] double described_error();
+
+  Body body_;
+  bool with_errors_;
   SceneLedger& ledger_;
   std::optional<Result<InertiaTensor>> tensor_;
   double tensor_rounding_ = 0;                       // of its sums
@@ -74,7 +80,8 @@ class SceneBody {
   std::optional<Result<SharpTensor>> sharp_tensor_;
   std::optional<Result<SharpPosition>> moments_;
   std::optional<Result<Axes>> axes_;
-  std::optional<Result<Places>> places_;
+  std::optional<double> described_error_;
+  std::optional<Result<void>> turned_;
 };
 
 }  // namespace rigor

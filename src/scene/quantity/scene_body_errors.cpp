@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.h"
 #include "numeric/body/body_errors.h"
 #include "scene/quantity/scene_body.h"
 
@@ -40,14 +41,20 @@ Position turned_by(const SharpPosition& moments, double off) {
 
 }  // namespace
 
+double SceneBody::described_error() {
+  RIGOR_CHECK(described_error_ || !turned_);
+  if (!described_error_) described_error_ = inertia_error(body_);
+  return *described_error_;
+}
+
 double SceneBody::tensor_error() {
   if (!tensor()) return unbounded;
-  return tensor_rounding_ + inertia_error(body_);
+  return tensor_rounding_ + described_error();
 }
 
 double SceneBody::sharp_tensor_error() {
   if (!sharp_tensor()) return unbounded;
-  return is_said_ ? body_.known->error : sharp_tensor_rounding_ + inertia_error(body_);
+  return is_said_ ? body_.known->error : sharp_tensor_rounding_ + described_error();
 }
 
 Position SceneBody::moment_errors() {
@@ -91,23 +98,8 @@ Position SceneBody::axis_errors() {
   return turned_by(*found, 3 * sharp_tensor_error() + 2 * products);
 }
 
-std::vector<double> SceneBody::place_errors_along(std::size_t k) {
-  const double turning = turning_errors()[k];
-  std::vector<double> errors(body_.size());
-  std::vector<double> squares(body_.size());
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::vector<double> own = place_errors(body_, i);
-    for (std::size_t p = 0; p < body_.size(); ++p) {
-      errors[p] += own[p];
-      squares[p] += body_.positions[i][p] * body_.positions[i][p];
-    }
-  }
-  for (std::size_t p = 0; p < body_.size(); ++p) {
-    // sin θ and 3 roundings, and what squares lost below the normal range
-    const double reach = std::sqrt(squares[p]) + 0x1p-500;
-    errors[p] = (errors[p] + (turning + 4 * u) * reach) * (1 + 0x1p-20);
-  }
-  return errors;
+ErrorBounds SceneBody::place_errors_along(std::size_t k) {
+  return turned_place_errors(body_, turning_errors()[k]);
 }
 
 }  // namespace rigor

@@ -18,8 +18,8 @@ namespace rigor {
 
 class SceneEvaluation {
  public:
-  /// All are kept by reference.
-  SceneEvaluation(const SceneFile& scene, const Body& body, const WrittenForms& forms);
+  /// Scene and forms are kept by reference.
+  SceneEvaluation(const SceneFile& scene, Body body, const WrittenForms& forms);
 
   [[nodiscard]] SceneResult run();
 

@@ -89,13 +89,11 @@ Result<LetterValue> SceneValues::value_of(const SceneLetter& letter) {
   switch (letter.role) {
     case SceneRole::mass:
       return LetterValue{{}, {body_.body().masses}};
-    case SceneRole::position: {
-      if (!turn_places_)
-        return LetterValue{{}, {body_.body().positions.begin(), body_.body().positions.end()}};
-      const auto& places = body_.places_along_axes();
-      if (!places) return tl::unexpected(places.error());
-      return LetterValue{{}, {places->begin(), places->end()}};
-    }
+    case SceneRole::position:
+      if (turn_places_) {
+        if (const auto& turned = body_.turn_places(); !turned) return tl::unexpected(turned.error());
+      }
+      return LetterValue{{}, {body_.body().positions.begin(), body_.body().positions.end()}};
     case SceneRole::spin:
       return spin_value();
     case SceneRole::moment:
@@ -113,11 +111,7 @@ Result<LetterValue> SceneValues::value_of(const SceneLetter& letter) {
 /// Of the body's particles, for whoever bounds errors.
 void SceneValues::add_particle_errors(LetterValue& value, SceneRole role) {
   if (role == SceneRole::mass) {
-    const double error = body_.body().errors.mass;
-    if (error == 0) return;
-    value.particle_errors.emplace_back();
-    for (const double mass : body_.body().masses)
-      value.particle_errors[0].push_back(error * mass * (1 + 0x1p-20));
+    value.particle_errors = {{.relative = body_.body().errors.mass * (1 + 0x1p-20)}};
   } else if (role == SceneRole::position) {
     for (std::size_t k = 0; k < 3; ++k)
       value.particle_errors.push_back(turn_places_ ? body_.place_errors_along(k)

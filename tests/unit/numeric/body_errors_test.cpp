@@ -86,9 +86,11 @@ TEST_CASE("points that are moved to their centre stay within the bounds of their
     }
     check(*body, inertia_of(masses, columns));
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::vector<double> errors = place_errors(*body, i);
-      for (std::size_t k = 0; k < masses.size(); ++k)
-        CHECK(abs(places[k][i] - centre[i] / mass - body->positions[i][k]) <= errors[k]);
+      const ErrorBounds errors = place_errors(*body, i);
+      for (std::size_t k = 0; k < masses.size(); ++k) {
+        const double x = body->positions[i][k];
+        CHECK(abs(places[k][i] - centre[i] / mass - x) <= errors.of(k, x));
+      }
     }
   }
 }

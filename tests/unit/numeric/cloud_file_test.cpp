@@ -2,6 +2,7 @@
 #include "numeric/mesh/cloud_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include "catch.h"
 #include "numeric/kernels/point_clouds.h"
 #include "numeric/mesh/cloud_text.h"
+#include "peak_memory.h"
 
 namespace rigor {
 namespace {
@@ -79,6 +81,22 @@ TEST_CASE("a cloud's number has one sign, is followed by another after a comma, 
   CHECK((*small)[0][0] == 0);
   CHECK((*small)[1][0] == 0);
   CHECK((*small)[2][0] == 0x1p-1074);
+}
+
+TEST_CASE("the points of a cloud's file are in memory once while they are read") {
+  if (!memory_is_our_own) return;
+  const PointCloud cloud = cube_cloud(1'000'000, 1e3, 22);
+  const std::vector<double> records = cloud.records();
+  const CloudFile binary("large.bin", {reinterpret_cast<const char*>(records.data()), 8 * records.size()});
+  constexpr double size = 32e6 / (1 << 20);
+  CHECK(peak_memory_of([&] { return read_cloud("cloud", binary.path()).has_value(); }) < 1.3 * size);
+
+  std::string text;
+  for (std::size_t k = 0; k < cloud.size(); ++k)
+    text += fmt::format("{}\n", fmt::join(&records[4 * k], &records[4 * k] + 4, ","));
+  const CloudFile words("large.csv", text);
+  const double length = static_cast<double>(text.size()) / (1 << 20);
+  CHECK(peak_memory_of([&] { return read_cloud("cloud", words.path()).has_value(); }) < 1.3 * length);
 }
 
 TEST_CASE("what is no regular file is no cloud") {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "catch.h"
 #include "check/entry/read_forms.h"
@@ -50,7 +51,7 @@ struct Played {
     request.only = scene->motion ? std::vector{scene->motion->equations.text} : std::vector<std::string>();
     const FormsReading reading = read_forms(sources, scene->notes_path(), request);
     diagnostics = reading.report.diagnostics;
-    result = evaluate_scene(*scene, body == nullptr ? *own : *body, reading.forms);
+    result = evaluate_scene(*scene, body == nullptr ? std::move(*own) : *body, reading.forms);
     diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
   }
 

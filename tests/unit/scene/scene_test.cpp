@@ -9,6 +9,7 @@
 #include "expr/build.h"
 #include "numeric/body/bodies.h"
 #include "numeric/body/shapes.h"
+#include "peak_memory.h"
 #include "scene/played_scene.h"
 
 namespace rigor {
@@ -273,6 +274,23 @@ TEST_CASE("a tensor whose components stand alone is that along the principal axe
   REQUIRE(result.quantities[0].value.size() == 9);
   CHECK(result.quantities[0].value[0] == Approx(10).epsilon(1e-13));
   CHECK(result.quantities[0].value[1] == 0);
+}
+
+TEST_CASE("a large cloud is in memory once, whatever is asked of it", "[scene]") {
+  if (!memory_is_our_own) return;
+  const Body large = *random_cloud("cloud", 1'000'000, 3);
+  const Body small = *random_cloud("cloud", 1'000, 3);
+  constexpr double size = 32e6 / (1 << 20);  // MiB, of the copy that the scene takes
+  const std::string energy = "spin = [1, 2, 3]\n[ask]\nquantities = ['T_{rot}']\n";
+  const std::string turned = "axes = \"body\"\nspin = [1, 2, 3]\n[ask]\nquantities = ['T_{rot}', 'I_1']\n";
+  const std::string errors = "errors = true\n";
+  for (const std::string& lines : {energy, energy + errors, turned, turned + errors}) {
+    INFO(lines);
+    const auto peak = [&](const Body& body) {
+      return peak_memory_of([&] { return Played(lines, body).value("T_{rot}") > 0; });
+    };
+    CHECK(peak(large) - peak(small) < 1.15 * size);
+  }
 }
 
 TEST_CASE("every scene in derivations/ gives all it is asked for", "[scene]") {
