@@ -154,7 +154,7 @@ std::vector<SymbolId> letters_without_value(const ExprTree& tree, const Names& n
 bool forget_rounded_constants(const ExprTree& tree, NameScope& scope, const std::string& spoken) {
   constexpr double rounded = 0.005;
   std::vector<SymbolId> letters;
-  for (const NamedDefinition& named : *scope.definitions) {
+  for (const NamedDefinition& named : scope.definitions) {
     const SymbolId letter = named.definition.symbol;
     if (!is_measured(tree, named.definition.body)) continue;
     const auto given = measured_value(tree, {}, named.definition.body, {});

@@ -301,7 +301,7 @@ class Heeding {
   /// "To first order", "for small x" next to `\approx` restrict nothing where something is declared small:
   /// they only say what the sign means.
   bool says_what_is_asked(std::string_view word) const {
-    return claim_.nearly && !names_.scope.small->empty() &&
+    return claim_.nearly && !names_.scope.small.empty() &&
            (word.find("small") != std::string_view::npos || word.find("order") != std::string_view::npos);
   }
 
@@ -378,7 +378,7 @@ class Heeding {
   bool rests_on_borrowed() {
     const auto case_word = word_of_a_case(sentence_);
     std::vector<NamedDefinition> borrowed;
-    for (const NamedDefinition& named : *names_.scope.definitions) {
+    for (const NamedDefinition& named : names_.scope.definitions) {
       const bool asked = std::ranges::any_of(judgement_.question.definitions, [&](const Definition& each) {
         return base_of(tree_.symbols, each.symbol) == base_of(tree_.symbols, named.definition.symbol);
       });

@@ -65,7 +65,7 @@ Judgement heed_cases(ExprTree& tree, const Names& names, const Claim& claim, Jud
                      const Standpoint& at, DecisionCache* cache) {
   if (judgement.verdict != Verdict::proved) return judgement;
   std::vector<NamedDefinition> of_others;
-  for (const NamedDefinition& named : *names.scope.definitions) {
+  for (const NamedDefinition& named : names.scope.definitions) {
     const bool used = is_one_of(named.origin.text, judgement.uses);
     if (!used || named.origin.directive) continue;
     if (!at.denied && !is_of_another_case(tree, at, named)) continue;

@@ -185,7 +185,7 @@ class HoleReader {
   }
 
   void ask(HoleReading& found) {
-    for (const SmallQuantity& small : *chain_.names.scope.small) found.small.push_back(small.quantity);
+    for (const SmallQuantity& small : chain_.names.scope.small) found.small.push_back(small.quantity);
     const Precision precision = found.nearly ? Precision::small_order : Precision::exact;
     for (int order = 0; order <= (found.nearly ? 1 : 0); ++order) {
       Prepared prepared = prepare(chain_.tree, chain_.names, found.claim, 0, precision, order);

@@ -84,8 +84,8 @@ bool is_solved_since(const ExprTree& tree, const Laws& bearing, SymbolId unknown
 
 /// N(s): for which s that is the constant, nothing says. `N(t_0)` names one place.
 bool is_value_anywhere(const RowUnderLaws& row, SymbolId letter) {
-  const auto value = row.names.symbols.function_values->find(letter);
-  if (value == row.names.symbols.function_values->end()) return false;
+  const auto value = row.names.symbols.function_values.find(letter);
+  if (value == nullptr) return false;
   return std::ranges::any_of(value->second.at, [&](ExprId at) {
     return std::ranges::any_of(symbols_in(row.tree, at), [&](SymbolId each) {
       const Symbol& symbol = row.tree.symbols[each];
@@ -202,8 +202,8 @@ Names with_row_put_in(const RowUnderLaws& row, SymbolId unknown, const std::vect
 std::optional<std::vector<SymbolId>> own_values(const RowUnderLaws& row, SymbolId unknown) {
   std::vector<SymbolId> values;
   for (const SymbolId symbol : symbols_in(row.tree, row.claim.equation.right)) {
-    const auto value = row.names.symbols.function_values->find(symbol);
-    if (value == row.names.symbols.function_values->end()) continue;
+    const auto value = row.names.symbols.function_values.find(symbol);
+    if (value == nullptr) continue;
     if (base_of(row.tree.symbols, value->second.of) != unknown) continue;
     if (value->second.at.size() != 1) return std::nullopt;
     values.push_back(symbol);

@@ -44,7 +44,7 @@ bool is_of_states(const RowUnderLaws& row, SymbolId symbol) {
   const auto is_plain = [&](SymbolId letter) {
     const Symbol& own = symbols[letter];
     return own.rank == 0 && !own.per_particle && !own.complex && !own.integral && !own.derivation &&
-           !is_form(own) && !row.names.symbols.function_values->contains(letter);
+           !is_form(own) && !row.names.symbols.function_values.contains(letter);
   };
   if (!is_plain(base_of(symbols, symbol))) return false;
   const auto& derivation = symbols[symbol].derivation;

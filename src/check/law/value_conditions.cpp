@@ -18,8 +18,8 @@ std::optional<ValueCondition> condition_in(const ExprTree& tree, const Names& na
   if (law.equation.relation != Relation::equal) return std::nullopt;
   for (const ExprId side : {law.equation.left, law.equation.right}) {
     for (const SymbolId symbol : symbols_in(tree, side)) {
-      const auto value = names.symbols.function_values->find(symbol);
-      if (value == names.symbols.function_values->end()) continue;
+      const auto value = names.symbols.function_values.find(symbol);
+      if (value == nullptr) continue;
       const Symbol& function = tree.symbols[value->second.of];
       if (base_of(tree.symbols, value->second.of) != unknown || value->second.at.size() != 1 || found)
         return std::nullopt;

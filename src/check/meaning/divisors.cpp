@@ -39,9 +39,9 @@ std::vector<SymbolId> divisors_of_sample(const ExprTree& tree, const Names& name
   };
   if (std::ranges::none_of(sample.values, is_zero)) return {};
   std::set<SymbolId> divisors;
-  for (const NamedDefinition& each : *names.scope.definitions)
+  for (const NamedDefinition& each : names.scope.definitions)
     add_divisors(tree, each.definition.body, divisors);
-  for (const NamedAssumption& each : *names.scope.assumptions) {
+  for (const NamedAssumption& each : names.scope.assumptions) {
     add_divisors(tree, each.equation.left, divisors);
     add_divisors(tree, each.equation.right, divisors);
   }

@@ -20,7 +20,7 @@ namespace {
 std::vector<NegativeSquare> negative_squares_of_sample(ExprTree& tree, const Names& names,
                                                        const Question& question, const Sample& sample) {
   std::vector<NegativeSquare> found;
-  for (const NamedDefinition& named : *names.scope.definitions) {
+  for (const NamedDefinition& named : names.scope.definitions) {
     const Definition& definition = named.definition;
     if (!definition.by_square || tree[definition.body].op != Op::root) continue;
     const ExprId square = tree.children(definition.body)[0];

@@ -31,7 +31,7 @@ bool may_fail_at_zero(const ExprTree& tree, const Names& names, ExprId root) {
 
 /// Is it defined, or its rate given?
 bool is_ruled(const ExprTree& tree, const Names& names, SymbolId base) {
-  return std::ranges::any_of(*names.scope.definitions, [&](const NamedDefinition& each) {
+  return std::ranges::any_of(names.scope.definitions, [&](const NamedDefinition& each) {
     return base_of(tree.symbols, each.definition.symbol) == base;
   });
 }

@@ -38,7 +38,7 @@ std::string name_of_function(const ExprTree& tree, ExprId id) {
 
 Decision IntegralValues::ask(Equation claim) const {
   Question question{.tree = &tree_, .claim = std::move(claim)};
-  for (const NamedAssumption& each : *names_.scope.assumptions) {
+  for (const NamedAssumption& each : names_.scope.assumptions) {
     if (each.equation.relation == Relation::equal || each.without_sample) continue;
     question.assumptions.push_back(each.equation);
   }
@@ -92,8 +92,7 @@ bool IntegralValues::changes_with(SymbolId variable, SymbolId symbol, bool shown
     return reaches || known.integral->lower || holds_variable(known.integral->integrand);
   }
   if (known.derivation || known.rank > 0 || known.per_particle) return true;
-  if (const auto value = names_.symbols.function_values->find(symbol);
-      value != names_.symbols.function_values->end())
+  if (const auto value = names_.symbols.function_values.find(symbol); value != nullptr)
     return std::ranges::any_of(value->second.at, holds_variable);
   if (std::ranges::any_of(values_, [&](const auto& entry) { return entry.second == symbol; })) return false;
   if (!shown) return may_run_(symbol) || is_tied_to(names_, symbol, variable);
@@ -103,9 +102,9 @@ bool IntegralValues::changes_with(SymbolId variable, SymbolId symbol, bool shown
 /// f(x), where x is the variable of f and of the integral, is f.
 ExprId IntegralValues::bare(const Integral& integral) const {
   return replaced(tree_, integral.integrand, [&](ExprId id) -> std::optional<ExprId> {
-    const auto known = names_.symbols.function_values->find(tree_[id].symbol);
+    const auto known = names_.symbols.function_values.find(tree_[id].symbol);
     const NameKey* key = key_of(names_.symbols, integral.variable);
-    if (known == names_.symbols.function_values->end() || key == nullptr) return std::nullopt;
+    if (known == nullptr || key == nullptr) return std::nullopt;
     const FunctionValue& value = known->second;
     const bool own = value.variables == std::vector{key->base} && value.at.size() == 1 &&
                      tree_[value.at[0]].op == Op::symbol && tree_[value.at[0]].symbol == integral.variable;
@@ -158,10 +157,10 @@ Running IntegralValues::running_over(const Integral& integral) const {
 /// A value that the notes write, or a new one.
 SymbolId IntegralValues::value_named(const std::string& name, ExprId node, const Running& running,
                                      ExprId argument, ExprId value) {
-  const auto& written = *names_.symbols.function_values;
+  const auto& written = names_.symbols.function_values;
   const auto known = find_symbol(names_.symbols, {name, 0, false});
-  const auto as_written = known ? written.find(*known) : written.end();
-  if (as_written != written.end() && as_written->second.at.size() == 1 &&
+  const auto as_written = known ? written.find(*known) : nullptr;
+  if (as_written != nullptr && as_written->second.at.size() == 1 &&
       same_expression(tree_, as_written->second.at[0], tree_, argument))
     return *known;
   const auto [entry, fresh] = values_.try_emplace(name);
@@ -179,8 +178,8 @@ bool IntegralValues::is_bound(SymbolId symbol) const {
   const auto source = sources_.find(symbol);
   if (source == sources_.end()) return false;
   const auto& [node, variable] = source->second;
-  const auto value = names_.symbols.function_values->find(tree_[node].symbol);
-  if (value != names_.symbols.function_values->end()) return value->second.at.size() == 1;
+  const auto value = names_.symbols.function_values.find(tree_[node].symbol);
+  if (value != nullptr) return value->second.at.size() == 1;
   return is_function_of_only(names_, tree_, tree_[node].symbol, variable);
 }
 
@@ -198,8 +197,8 @@ std::optional<ExprId> IntegralValues::symbol_at(ExprId id, const Running& runnin
     return symbol_at(function, over, value);
   }
   std::string name;
-  const auto& values = *names_.symbols.function_values;
-  if (const auto known = values.find(node.symbol); known != values.end()) {
+  const auto& values = names_.symbols.function_values;
+  if (const auto known = values.find(node.symbol); known != nullptr) {
     std::string arguments;
     ExprId only{};
     for (const ExprId each : known->second.at) {

@@ -112,7 +112,7 @@ class Preparation {
   /// the rate of, as soon as another one speaks of that.
   bool follow_rules() {
     bool grew = false;
-    for (const NamedDefinition& rule : *names_.scope.definitions) {
+    for (const NamedDefinition& rule : names_.scope.definitions) {
       const SymbolId rate = rule.definition.symbol;
       if (reached_.contains(rate) || !bears(rule)) continue;
       highest_law_ = std::max(highest_law_, orders_of(rate).total());
@@ -125,7 +125,7 @@ class Preparation {
   }
 
   [[nodiscard]] bool has_rule() {
-    return std::ranges::any_of(*names_.scope.definitions,
+    return std::ranges::any_of(names_.scope.definitions,
                                [this](const NamedDefinition& rule) { return bears(rule); });
   }
 
@@ -203,8 +203,8 @@ class Preparation {
     if (depth > largest_order) return std::nullopt;
     if (const auto known = derived_.find(symbol); known != derived_.end()) return known->second;
     std::optional<FoundDefinition> result;
-    const auto& values = *names_.symbols.function_values;
-    if (const auto value = values.find(symbol); value != values.end()) {
+    const auto& values = names_.symbols.function_values;
+    if (const auto value = values.find(symbol); value != nullptr) {
       derived_[symbol] = std::nullopt;  // y(0) of `y = y(0)e^{kx}` says nothing of itself
       result = at_value(symbol, value->second, depth);
       return derived_[symbol] = result;
@@ -392,7 +392,7 @@ class Preparation {
   /// Can it change where the variable does? A quantity whose rate the page writes does.
   bool may_run(SymbolId symbol) const {
     if (tree_.symbols[symbol].derivation) return true;
-    if (names_.symbols.function_values->contains(symbol)) return false;
+    if (names_.symbols.function_values.contains(symbol)) return false;
     const NameKey* key = key_of(names_.symbols, symbol);
     return key != nullptr && may_be_changing(*names_.symbols.evidence, key->base);
   }
@@ -460,7 +460,7 @@ class Preparation {
   bool vanishes_to_zeroth_order(SymbolId symbol) const {
     if (precision_ != Precision::small_order) return false;
     if (tree_.symbols[symbol].order(By::small) > 0) return false;
-    return std::ranges::any_of(*names_.scope.small, [&](const SmallQuantity& small) {
+    return std::ranges::any_of(names_.scope.small, [&](const SmallQuantity& small) {
       const ExprNode& node = tree_[small.quantity];
       return node.slot_count == 0 && node.symbol == base_of(symbol);
     });
@@ -493,11 +493,11 @@ class Preparation {
   /// One round over the assumptions; true if something was added.
   bool add_assumptions() {
     bool grew = false;
-    for (const NamedAssumption& assumption : *names_.scope.assumptions) {
+    for (const NamedAssumption& assumption : names_.scope.assumptions) {
       if (!is_joined(tree_, names_.scope, assumption.equation))
         grew = add(assumption.equation, &assumption) || grew;
     }
-    for (const SmallQuantity& small : *names_.scope.small) {
+    for (const SmallQuantity& small : names_.scope.small) {
       const ExprNode node = tree_[small.quantity];
       const bool constrained = node.slot_count > 0 || definition_of(node.symbol, 0).has_value();
       if (precision_ == Precision::small_order && constrained) grew = add(vanishing(small), nullptr) || grew;
@@ -573,7 +573,7 @@ class Preparation {
 
   bool is_assumed_of(SymbolId symbol, const NamedAssumption* by_this) {
     const auto is_it = [&](SymbolId each) { return base_of(each) == symbol; };
-    return std::ranges::any_of(*names_.scope.assumptions, [&](const NamedAssumption& other) {
+    return std::ranges::any_of(names_.scope.assumptions, [&](const NamedAssumption& other) {
       if (&other == by_this) return false;
       return std::ranges::any_of(symbols_of(other.equation), is_it);
     });
@@ -633,7 +633,7 @@ class Preparation {
 
   /// Small quantities concern the claim through the question's definitions, too.
   void add_small() {
-    for (const SmallQuantity& small : *names_.scope.small) prepared_.used.insert(small.directive);
+    for (const SmallQuantity& small : names_.scope.small) prepared_.used.insert(small.directive);
   }
 
   /// n·n = 1 for all times makes n·ṅ = 0. A rotation's rate is not reasoned about.

@@ -42,7 +42,7 @@ Running IntegralValues::counting_over(const Integral& sum) const {
   const auto changes = [this, sum](SymbolId each) {
     const Symbol& known = tree_.symbols[each];
     const bool plain = !known.integral && !known.derivation && known.rank == 0 && !known.per_particle &&
-                       !names_.symbols.function_values->contains(each) && !sources_.contains(each) &&
+                       !names_.symbols.function_values.contains(each) && !sources_.contains(each) &&
                        key_of(names_.symbols, each) != nullptr;
     if (each == sum.variable || !plain) return changes_with(sum.variable, each, true);
     if (known.is_fixed() || is_declared_constant(names_.scope, each)) return false;

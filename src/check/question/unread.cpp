@@ -84,7 +84,7 @@ std::vector<SymbolId> symbols_of(const Question& question) {
 
 const UnreadAssumption* unread_assumption(const ExprTree& tree, const Names& names,
                                           const Question& question) {
-  if (names.scope.unread->empty()) return nullptr;
+  if (names.scope.unread.empty()) return nullptr;
   std::set<std::string> letters;
   for (const SymbolId symbol : symbols_of(question))
     letters.merge(letters_of(tree.symbols[base_of(tree.symbols, symbol)].name));
@@ -92,8 +92,10 @@ const UnreadAssumption* unread_assumption(const ExprTree& tree, const Names& nam
     return std::ranges::any_of(unread.letters,
                                [&](const std::string& letter) { return letters.contains(letter); });
   };
-  const auto found = std::find_if(names.scope.unread->rbegin(), names.scope.unread->rend(), shares);
-  return found == names.scope.unread->rend() ? nullptr : &*found;
+  const SharedList<UnreadAssumption>& unread = names.scope.unread;
+  for (std::size_t k = unread.size(); k-- > 0;)
+    if (shares(unread[k])) return &unread[k];
+  return nullptr;
 }
 
 }  // namespace rigor

@@ -288,7 +288,7 @@ class Suspecting {
     const Laws laws = sets.empty() ? Laws{} : sets.back();
     if (std::ranges::any_of(laws, [&](const PageLaw* law) { return said(law->equation); })) return true;
     const std::set<SymbolId> letters = written_letters(tree, equation);
-    return std::ranges::any_of(*names.scope.definitions, [&](const NamedDefinition& named) {
+    return std::ranges::any_of(names.scope.definitions, [&](const NamedDefinition& named) {
       return letters.contains(named.definition.symbol) && said(as_equation(tree, named.definition));
     });
   }

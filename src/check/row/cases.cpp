@@ -23,7 +23,7 @@ namespace {
 
 /// A directive says what is meant here: `given I_{ij} = I_i\delta_{ij}`.
 bool is_assumed_about(const RowPlace& place, SymbolId symbol) {
-  return std::ranges::any_of(*place.names.scope.assumptions, [&](const NamedAssumption& each) {
+  return std::ranges::any_of(place.names.scope.assumptions, [&](const NamedAssumption& each) {
     if (!each.origin.directive) return false;
     return std::ranges::any_of(symbols_in(place.tree, each.equation.left), [&](SymbolId letter) {
       return base_of(place.tree.symbols, letter) == symbol;

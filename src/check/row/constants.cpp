@@ -127,7 +127,7 @@ bool is_said_elsewhere(const RowPlace& place, const NamedDefinition& named) {
 /// Without what other sections define. Was there anything?
 bool forget_other_sections(const RowPlace& place, NameScope& scope) {
   std::vector<SymbolId> letters;
-  for (const NamedDefinition& named : *scope.definitions) {
+  for (const NamedDefinition& named : scope.definitions) {
     if (is_said_elsewhere(place, named)) letters.push_back(named.definition.symbol);
   }
   for (const SymbolId letter : letters) forget_definition(scope, letter);
@@ -136,7 +136,7 @@ bool forget_other_sections(const RowPlace& place, NameScope& scope) {
 
 bool rests_on_other_sections(const RowPlace& place, const MeasuredRow& row) {
   const std::vector<SymbolId> reached = symbols_reached(place.tree, row.names.scope, {row.value});
-  return std::ranges::any_of(*row.names.scope.definitions, [&](const NamedDefinition& named) {
+  return std::ranges::any_of(row.names.scope.definitions, [&](const NamedDefinition& named) {
     return std::ranges::find(reached, named.definition.symbol) != reached.end() &&
            is_said_elsewhere(place, named);
   });

@@ -115,7 +115,7 @@ void heed_digits(RowPlace& place, const Claim& claim, Judgement& judgement) {
              compares_decimals(tree, names, claim.equation)) {
     doubt("decimals are rounded, and nothing shows to how many digits the other side is meant",
           "write it as a decimal, or `\\approx`");
-  } else if (!compared && claim.nearly && names.scope.small->empty() &&
+  } else if (!compared && claim.nearly && names.scope.small.empty() &&
              judgement.verdict == Verdict::refuted) {
     doubt("nothing says what is small here", "`rigor: small …` says so");
   }

@@ -56,7 +56,7 @@ void define_member(RowPlace& place, Names& names, SymbolId letter, const std::ve
     if (said.letter == letter && tree[said.number].rank == 0)
       found = NamedDefinition{{letter, {}, no_particle, said.number}, Origin{said.text, {}, std::nullopt}};
   }
-  for (const NamedDefinition& named : *names.scope.definitions) {
+  for (const NamedDefinition& named : names.scope.definitions) {
     if (!named.definition.indices.empty() || named.definition.by_square) continue;
     const auto body = body_of_member(tree, letter, named.definition.symbol, named.definition.body);
     if (body) found = NamedDefinition{{letter, {}, no_particle, *body}, named.origin};

@@ -170,7 +170,7 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
       (left_end && left_end->power < right_end->power))
     return open("the left side is not known to the order of the right side");
   const std::string& name = place.tree.symbols[node.symbol].name;
-  const bool small = std::ranges::any_of(*place.names.scope.small, [&](const SmallQuantity& each) {
+  const bool small = std::ranges::any_of(place.names.scope.small, [&](const SmallQuantity& each) {
     if (place.tree[each.quantity].symbol != node.symbol) return false;
     place.found.used.insert(each.directive);
     return true;

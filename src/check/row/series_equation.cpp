@@ -26,7 +26,7 @@ std::optional<Equation> with_letter_open(const SeriesPlace& place, Equation equa
       return symbol == letter || base_of(place.tree.symbols, symbol) == letter;
     });
   };
-  for (const NamedAssumption& assumption : *place.names.scope.assumptions) {
+  for (const NamedAssumption& assumption : place.names.scope.assumptions) {
     const Equation& said = assumption.equation;
     if (said.relation != Relation::equal || (!speaks(said.left) && !speaks(said.right))) continue;
     if (assumption.origin.directive && place.used != nullptr)

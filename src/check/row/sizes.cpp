@@ -67,7 +67,7 @@ std::vector<NamedAssumption> sizes_of(RowPlace& place, const Claim& claim,
       if (definition_of(place.names.scope, reached) != nullptr) letters.insert(reached);  // `a = p/(1 - e^2)`
     }
   }
-  for (const NamedAssumption& each : *place.names.scope.assumptions) {
+  for (const NamedAssumption& each : place.names.scope.assumptions) {
     for (const SymbolId letter : base_letters(place.tree, place.names.scope, each.equation))
       letters.erase(letter);
   }

@@ -69,7 +69,7 @@ bool rests_on_what_is_said_here(RowPlace& place, const StepReading& row,
                                 const std::vector<std::string>& uses) {
   const Standpoint at = standpoint(place, row.parsed);
   const Span chain = row.parsed.written.span;
-  return std::ranges::all_of(*place.names.scope.definitions, [&](const NamedDefinition& named) {
+  return std::ranges::all_of(place.names.scope.definitions, [&](const NamedDefinition& named) {
     const bool used = std::ranges::find(uses, named.origin.text) != uses.end();
     if (!used || named.origin.directive) return true;
     const ExprNode& body = place.tree[named.definition.body];
@@ -84,7 +84,7 @@ bool rests_on_what_is_said_here(RowPlace& place, const StepReading& row,
 Names as_said_here(RowPlace& place, const StepReading& row) {
   const Standpoint at = standpoint(place, row.parsed);
   Names here = place.names;
-  for (const NamedDefinition& named : *place.names.scope.definitions) {
+  for (const NamedDefinition& named : place.names.scope.definitions) {
     if (!named.origin.directive && !is_said_for(at, named.origin))
       forget_definition(here.scope, named.definition.symbol);
   }

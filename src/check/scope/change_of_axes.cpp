@@ -114,19 +114,19 @@ class ToTurning : Axes {
 
   Held convert(const Held& before) {
     Held after;
-    for (NamedDefinition each : *before.definitions) {
+    for (NamedDefinition each : before.definitions) {
       if (is_rate(each.definition.symbol) && turns(each.definition.symbol)) {  // a rule
         NamedAssumption rule{as_equation(tree_, each.definition), each.origin, each.depth, each.at_instant};
         convert(rule);
-        after.assumptions.write().push_back(std::move(rule));
+        after.assumptions.push_back(std::move(rule));
         continue;
       }
       convert(each);
-      after.definitions.write().push_back(std::move(each));
+      after.definitions.put(std::move(each));
     }
-    for (NamedAssumption each : *before.assumptions) {
+    for (NamedAssumption each : before.assumptions) {
       convert(each);
-      after.assumptions.write().push_back(std::move(each));
+      after.assumptions.push_back(std::move(each));
     }
     return after;
   }

@@ -83,7 +83,7 @@ bool changes_with_place(ExprTree& tree, const Names& names, const Definition& de
 }  // namespace
 
 bool last_assumption_contradicts(ExprTree& tree, const Names& names) {
-  const Equation last = names.scope.assumptions->back().equation;
+  const Equation last = names.scope.assumptions.back().equation;
   if (last.relation != Relation::equal) return false;
   Prepared prepared = prepare(tree, names, impossible_in(tree, last), 1);
   if (!may_contradict(prepared)) return false;
@@ -109,7 +109,7 @@ bool definition_contradicts(ExprTree& tree, const Names& names, const Definition
 
 Directives withdraw_constants_of_last(const ExprTree& tree, Names& names) {
   Directives withdrawn;
-  for (const SymbolId base : bases_of(tree, names.scope.assumptions->back().equation))
+  for (const SymbolId base : bases_of(tree, names.scope.assumptions.back().equation))
     withdrawn.merge(withdraw_constant(names.scope, base));
   return withdrawn;
 }
@@ -118,7 +118,7 @@ std::optional<SymbolId> small_of_other_order(ExprTree& tree, const Names& names,
                                              DecisionCache* cache) {
   if (equation.relation != Relation::equal) return std::nullopt;
   std::set<SymbolId> small;
-  for (const SmallQuantity& each : *names.scope.small) {
+  for (const SmallQuantity& each : names.scope.small) {
     if (tree[each.quantity].slot_count == 0) small.insert(base_of(tree.symbols, tree[each.quantity].symbol));
   }
   const std::set<SymbolId> bases = bases_of(tree, equation);

@@ -41,8 +41,8 @@ std::vector<Decomposition> sums_stated(const ExprTree& tree, const Names& names,
     if (origin.directive || origin.conditional || origin.place != place || whole.by_square) return;
     if (auto sum = sum_of_parts(tree, whole, origin)) sums.push_back(*std::move(sum));
   };
-  for (const NamedDefinition& named : *names.scope.definitions) add(named.definition, named.origin);
-  for (const NamedAssumption& assumption : *names.scope.assumptions) {
+  for (const NamedDefinition& named : names.scope.definitions) add(named.definition, named.origin);
+  for (const NamedAssumption& assumption : names.scope.assumptions) {
     const Equation& said = assumption.equation;
     const ExprNode& left = tree[said.left];
     if (said.relation != Relation::equal || left.op != Op::symbol) continue;

@@ -81,7 +81,7 @@ bool stands_in_brackets(const SyntaxTree& syntax, SyntaxId power) {
 }
 
 bool is_determined(const SymbolTable& symbols, const NameScope& scope, SymbolId symbol) {
-  return std::ranges::any_of(*scope.definitions, [&](const NamedDefinition& entry) {
+  return std::ranges::any_of(scope.definitions, [&](const NamedDefinition& entry) {
     const SymbolId known = entry.definition.symbol;
     return base_of(symbols, known) == base_of(symbols, symbol) &&
            derivative_order(symbols, known) <= derivative_order(symbols, symbol);

@@ -82,23 +82,19 @@ std::optional<std::string> declare_frame(ExprTree& tree, Names& names, const std
   Held before = held(names.scope);
   FrameBuilder builder(tree, names, rotating, directive, tree[angular_velocity].span);
   const SymbolId rotation = builder.rotation(angular_velocity);
-  const Shared<std::vector<NamedDefinition>> with_rotation = names.scope.definitions;
+  const NamedDefinitions with_rotation = names.scope.definitions;
   enter_frame(names.scope, {rotating, fixed, rotation, angular_velocity, directive, 0, before});
   Turning turning{tree, names, rotation, used};
   Held after = along_turning_axes(turning, before);
-  for (const NamedDefinition& each : *with_rotation) {
-    const auto own = [&](const NamedDefinition& old) {
-      return old.definition.symbol == each.definition.symbol;
-    };
-    if (std::ranges::none_of(*before.definitions, own)) after.definitions.write().push_back(each);
-  }
+  for (const NamedDefinition& each : with_rotation)
+    if (!before.definitions.contains(each.definition.symbol)) after.definitions.put(each);
   std::set<SymbolId> done;
-  for (const DeclaredConstant& constant : *names.scope.constants) {
+  for (const DeclaredConstant& constant : names.scope.constants) {
     const Symbol& symbol = tree.symbols[constant.symbol];
     const bool turns = symbol.rank > 0 && symbol.axes.are_common() && !symbol.rotation &&
                        !is_principal_value(names.symbols, tree.symbols, constant.symbol);
     if (turns && done.insert(constant.symbol).second)
-      after.assumptions.write().push_back(constant_along_fixed_axes(turning, constant));
+      after.assumptions.push_back(constant_along_fixed_axes(turning, constant));
   }
   if (turning.budget.exceeded) {
     withdraw_frame(names.scope);
@@ -113,15 +109,18 @@ void leave_frames(ExprTree& tree, Names& names, int level, Directives& used) {
   for (const Frame& frame : *names.scope.frames) {
     if (frame.depth < level) continue;
     Held behind_it = held(names.scope);
-    std::vector<NamedDefinition> kept;
-    for (const NamedDefinition& each : *behind_it.definitions) {
+    NamedDefinitions kept;
+    const auto keep = [&](const NamedDefinition& each) {
+      if (!kept.contains(each.definition.symbol)) kept.put(each);
+    };
+    for (const NamedDefinition& each : behind_it.definitions) {
       if (!is_made_in_frame(names.scope, each)) {
-        kept.push_back(each);
+        keep(each);
       } else if (auto behind = along_fixed_axes(tree, names, frame, each, used)) {
-        kept.push_back(std::move(*behind));
+        keep(*behind);
       }
     }
-    behind_it.definitions = Shared(std::move(kept));
+    behind_it.definitions = std::move(kept);
     replace(names.scope, std::move(behind_it));
   }
 }

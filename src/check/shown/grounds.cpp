@@ -63,7 +63,7 @@ class GroundList {
 
   void add_given() {
     std::size_t left = most_of_each;
-    for (const NamedAssumption& each : *place_.names.scope.assumptions) {
+    for (const NamedAssumption& each : place_.names.scope.assumptions) {
       if (left == 0 || !bears(each.equation) || !is_new(each.origin.text)) continue;
       grounds_.push_back({Ground::Kind::given, each.origin.text, latex(each.equation)});
       --left;

@@ -45,9 +45,9 @@ std::vector<LetterSource> sources_of(const ExprTree& tree, const Names& names, c
   };
   const NameKey* key = key_of(names.symbols, id);
   if (key != nullptr) add_directive(declared_by(names.symbols, *key));
-  for (const DeclaredConstant& constant : *names.scope.constants)
+  for (const DeclaredConstant& constant : names.scope.constants)
     if (constant.symbol == id) add_directive(constant.directive);
-  for (const SmallQuantity& small : *names.scope.small)
+  for (const SmallQuantity& small : names.scope.small)
     if (tree[small.quantity].symbol == id) add_directive(small.directive);
   if (const NamedDefinition* named = definition_of(names.scope, id)) {
     if (!named->origin.directive) sources.push_back({SourceKind::definition, named->origin.text, {}});
@@ -85,7 +85,7 @@ ReadLetter quantity_as_read(const ExprTree& tree, const Names& names, const Lett
   letter.per_particle = symbol.per_particle;
   letter.constant = is_declared_constant(names.scope, id);
   letter.small = std::ranges::any_of(
-      *names.scope.small, [&](const SmallQuantity& small) { return tree[small.quantity].symbol == id; });
+      names.scope.small, [&](const SmallQuantity& small) { return tree[small.quantity].symbol == id; });
   letter.for_all = is_for_all(names.scope, id);
   letter.field = is_field(names, tree, id);
   if (const NameKey* key = key_of(names.symbols, id))

@@ -58,9 +58,9 @@ class Differentiating {
     return std::ranges::any_of(symbols_in(tree(), id), [&](SymbolId symbol) {
       if (symbol == integral_.variable) return true;
       if (tree().symbols[symbol].integral) return false;
-      const auto& values = *reading_.names.symbols.function_values;
+      const auto& values = reading_.names.symbols.function_values;
       const auto value = values.find(symbol);
-      if (value != values.end())
+      if (value != nullptr)
         return std::ranges::any_of(value->second.at, [&](ExprId at) { return shows_variable(at); });
       const NameKey* own = key_of(reading_.names.symbols, symbol);
       const NameKey* of = key_of(reading_.names.symbols, integral_.variable);
@@ -162,9 +162,9 @@ class Differentiating {
     if (symbol == integral_.variable) return {Kind::variable, integral_.axis};
     if (known.is_fixed() || is_declared_constant(names.scope, symbol)) return {Kind::constant};
     if (known.derivation || known.rank > 0 || known.per_particle || known.integral) return {Kind::varies};
-    if (names.scope.variables->contains(symbol)) return {Kind::varies};
-    const auto value = names.symbols.function_values->find(symbol);
-    if (value != names.symbols.function_values->end()) {
+    if (names.scope.variables.contains(symbol)) return {Kind::varies};
+    const auto value = names.symbols.function_values.find(symbol);
+    if (value != nullptr) {
       const bool at_variable =
           std::ranges::any_of(value->second.at, [&](ExprId at) { return shows_variable(at); });
       return {at_variable ? Kind::varies : Kind::constant};

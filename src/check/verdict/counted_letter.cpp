@@ -71,7 +71,7 @@ std::optional<CountedLetter> counted_letter(ExprTree& tree, const Names& names, 
   const auto is_defined = [&](SymbolId each) { return definition_of(names.scope, each) != nullptr; };
   for (const ExprId side : {claim.left, claim.right})
     result.by_induction = result.by_induction && std::ranges::none_of(letters_in(tree, side), is_defined);
-  result.by_induction = result.by_induction && std::ranges::none_of(*names.scope.assumptions, is_said);
+  result.by_induction = result.by_induction && std::ranges::none_of(names.scope.assumptions, is_said);
   for (int number = 0; number <= largest_first; ++number) {
     const bool full = std::ranges::all_of(sums, [&](const Integral& sum) {
       if (!sum.lower->at || !sum.upper->at) return true;

@@ -209,7 +209,7 @@ class Judging {
     if (exact.too_large) return;
     NearlyQuestion nearly{.exact = {}, .names = names_of(exact), .small = {}};
     nearly.exact = std::move(exact.question);
-    for (const SmallQuantity& small : *names_.scope.small) nearly.small.push_back(small.quantity);
+    for (const SmallQuantity& small : names_.scope.small) nearly.small.push_back(small.quantity);
     judgement_.nearly_question = std::move(nearly);
   }
 
@@ -357,14 +357,14 @@ class Judging {
     const auto show = [&](SymbolId symbol) {
       if (tree_.symbols[symbol].order(By::time) > 0) shown.insert(base_of(tree_.symbols, symbol));
     };
-    for (const auto& [symbol, depth] : *names_.scope.seen) show(symbol);
+    for (const auto& [symbol, depth] : names_.scope.seen) show(symbol);
     for (const ExprId side : {claim_.equation.left, claim_.equation.right}) {
       for (const SymbolId symbol : symbols_in(tree_, side)) show(symbol);
     }
     for (const SymbolId symbol : symbols_of(prepared_.question)) {
       const SymbolId base = base_of(tree_.symbols, symbol);
       const bool said = shown.contains(base) || definition_of(names_.scope, base) != nullptr ||
-                        names_.scope.variables->contains(base) || !changes_by_evidence(base);
+                        names_.scope.variables.contains(base) || !changes_by_evidence(base);
       if (tree_.symbols[symbol].order(By::time) > 0 && !said && !is_one_of(base, unknown))
         unknown.push_back(base);
     }
@@ -614,11 +614,11 @@ class Judging {
   /// `f(2x)` and `f(x + x)` are two symbols to us; `\omega(k + q)` of `\omega(k) = ck` can be a product.
   [[nodiscard]] bool speaks_of_values() const {
     const std::vector<Definition>& known = prepared_.question.definitions;
-    const auto& values = *names_.symbols.function_values;
+    const auto& values = names_.symbols.function_values;
     const auto is_plain = [&](ExprId at) { return tree_[at].op == Op::symbol || tree_[at].op == Op::number; };
     return std::ranges::any_of(symbols_of(prepared_.question), [&](SymbolId symbol) {
       const auto value = values.find(base_of(tree_.symbols, symbol));
-      if (value == values.end()) return false;
+      if (value == nullptr) return false;
       const bool is_known = std::ranges::find(known, symbol, &Definition::symbol) != known.end();
       return !is_known || !std::ranges::all_of(value->second.at, is_plain);
     });
@@ -680,8 +680,8 @@ Judgement judge_at_once(ExprTree& tree, const Names& names, const Claim& claim, 
 
 std::optional<Sample> sample_of_assumptions(ExprTree& tree, const Names& names, const Sample& known,
                                             const Limits& limits, DecisionCache* cache) {
-  if (names.scope.assumptions->empty()) return Sample{};
-  const Equation last = names.scope.assumptions->back().equation;
+  if (names.scope.assumptions.empty()) return Sample{};
+  const Equation last = names.scope.assumptions.back().equation;
   Question question = prepare(tree, names, last).question;
   question.assumptions.push_back(last);  // also where it speaks of no symbol: 0 = 1
   return satisfying_sample(cache, question, known, limits);

@@ -110,7 +110,7 @@ Holds holds(const ExprTree& tree, const std::vector<Equation>& known, const Case
 bool is_meant_elsewhere(const Walk& walk, SymbolId symbol) {
   const SymbolTable& symbols = walk.tree.symbols;
   const auto is_about = [&](SymbolId each) { return base_of(symbols, each) == symbol; };
-  for (const auto& [value, of] : *walk.names.symbols.function_values) {
+  for (const auto& [value, of] : walk.names.symbols.function_values) {
     if (is_about(of.of)) return true;
   }
   for (std::size_t k = 0; k < symbols.size(); ++k) {
@@ -238,8 +238,8 @@ void heed_other_places(Walk& walk, CaseInForce& in_force) {
 void leave_case(Walk& walk, CaseInForce in_force) {
   for (const SymbolId symbol : in_force.defined) forget_definition(walk.names.scope, symbol);
   if (!in_force.assumed.empty())
-    std::erase_if(walk.names.scope.assumptions.write(),
-                  [&](const NamedAssumption& each) { return is_one_of(each.origin.text, in_force.assumed); });
+    walk.names.scope.assumptions.erase_if(
+        [&](const NamedAssumption& each) { return is_one_of(each.origin.text, in_force.assumed); });
   walk.names.scope.for_all = std::move(in_force.for_all);
   walk.sample = std::move(in_force.sample);
   walk.unread_case.reset();

@@ -63,7 +63,7 @@ void declare_small(Walk& walk, const Directive& directive, const Typed& typed) {
 /// What was given of a rate before is 0.
 void assume_rates_vanish(Walk& walk, const Directive& directive, SymbolId symbol) {
   std::vector<Definition> rules;
-  for (const NamedDefinition& named : *walk.names.scope.definitions) {
+  for (const NamedDefinition& named : walk.names.scope.definitions) {
     const SymbolId of = named.definition.symbol;
     if (base_of(walk.tree.symbols, of) != symbol || walk.tree.symbols[of].order(By::time) == 0) continue;
     rules.push_back(named.definition);
@@ -95,7 +95,7 @@ void check_constant(Walk& walk, const Directive& directive) {
       return;
     }
   }
-  if (walk.names.scope.assumptions->empty() || is_in_doubt(walk) || find_sample(walk)) return;
+  if (walk.names.scope.assumptions.empty() || is_in_doubt(walk) || find_sample(walk)) return;
   mark_all_given(walk);
   Equation impossible;
   impossible.left = walk.tree.add_number(directive.span, "0");

@@ -50,9 +50,9 @@ void assume_rules_above(Walk& walk, SymbolId symbol) {
     return base_of(walk.tree.symbols, known) == base_of(walk.tree.symbols, symbol) &&
            derivative_order(walk.tree.symbols, known) > derivative_order(walk.tree.symbols, symbol);
   };
-  for (const NamedDefinition& rule : *scope.definitions) {
+  for (const NamedDefinition& rule : scope.definitions) {
     if (!is_above(rule)) continue;
-    scope.assumptions.write().push_back({as_equation(walk.tree, rule.definition), rule.origin, rule.depth});
+    scope.assumptions.push_back({as_equation(walk.tree, rule.definition), rule.origin, rule.depth});
   }
   scope.definitions.erase_if(is_above);
 }
@@ -92,7 +92,7 @@ void add_definition(Walk& walk, const Typed& left, const Typed& right, const Par
   }
   assume_rules_above(walk, definition->symbol);
   define(walk.names.scope, {*definition, std::move(origin), 0});
-  if (!walk.names.scope.small->empty() && decides(walk))
+  if (!walk.names.scope.small.empty() && decides(walk))
     compare_orders(walk, as_equation(walk.tree, *definition), step.relation_span, step.diagnostics);
   step.verdict = Verdict::definition;
   step.route = "definition";
@@ -132,7 +132,7 @@ bool join_component_rules(Walk& walk, const Typed& left) {
   if (!component || is_determined(walk.tree.symbols, walk.names.scope, node.symbol)) return false;
   const Space space = walk.tree.symbols[node.symbol].axes[0];
   std::vector<const NamedAssumption*> rules(space.dimension, nullptr);
-  for (const NamedAssumption& assumption : *walk.names.scope.assumptions) {
+  for (const NamedAssumption& assumption : walk.names.scope.assumptions) {
     const Equation& equation = assumption.equation;
     const bool fits = equation.relation == Relation::equal && walk.tree[equation.left].op == Op::symbol &&
                       walk.tree[equation.left].symbol == node.symbol &&
@@ -149,7 +149,7 @@ bool join_component_rules(Walk& walk, const Typed& left) {
     }
   }
   const Origin origin =
-      walk.names.scope.assumptions->back().origin;  // of the last, without which it does not hold
+      walk.names.scope.assumptions.back().origin;  // of the last, without which it does not hold
   for (const NamedAssumption* rule : rules) {
     const bool last = rule->origin.directive == origin.directive;  // it stands for all
     if (!last && rule->origin.directive) walk.used.insert(*rule->origin.directive);
@@ -316,7 +316,7 @@ void add_assumption(Walk& walk, const Typed& left, const Typed& right, const Equ
     assume(walk.names.scope, {equation, std::move(origin), 0});
     if (join_component_rules(walk, left) || !decides(walk)) return;
     if (!is_doubted && find_sample(walk) && !last_assumption_contradicts(walk.tree, walk.names)) {
-      if (!walk.names.scope.small->empty())
+      if (!walk.names.scope.small.empty())
         compare_orders(walk, equation, step.relation_span, step.diagnostics);
       return;
     }
@@ -329,17 +329,17 @@ void add_assumption(Walk& walk, const Typed& left, const Typed& right, const Equ
 }
 
 void mark_all_given(Walk& walk) {
-  for (const NamedAssumption& each : *walk.names.scope.assumptions) {
+  for (const NamedAssumption& each : walk.names.scope.assumptions) {
     if (each.origin.directive) walk.used.insert(*each.origin.directive);
   }
-  for (const NamedDefinition& each : *walk.names.scope.definitions) {
+  for (const NamedDefinition& each : walk.names.scope.definitions) {
     const bool rule = walk.tree.symbols[each.definition.symbol].derivation.has_value();
     if (rule && each.origin.directive) walk.used.insert(*each.origin.directive);
   }
 }
 
 bool is_in_doubt(const Walk& walk) {
-  return std::ranges::any_of(*walk.names.scope.assumptions,
+  return std::ranges::any_of(walk.names.scope.assumptions,
                              [](const NamedAssumption& each) { return each.without_sample; });
 }
 

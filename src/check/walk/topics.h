@@ -45,7 +45,7 @@ struct CaseInForce {
   std::vector<std::string> assumed = {};
   std::vector<SymbolId> defined = {};
   std::vector<SymbolId> at_border = {};  // of these, what is known without a neighbourhood
-  Shared<SaidOfSymbols> for_all = {};    // before it
+  SaidOfSymbols for_all = {};            // before it
   Sample sample = {};                    // the same
 };
 

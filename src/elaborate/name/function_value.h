@@ -14,7 +14,7 @@ namespace rigor {
 /// symbol of its own. What it is follows from the function, so that a row about it defines nothing.
 [[nodiscard]] inline bool is_function_value(const Names& names, const ExprTree& tree, SymbolId symbol) {
   const SymbolId base = base_of(tree.symbols, symbol);
-  return tree.symbols[base].integral || names.symbols.function_values->contains(base);
+  return tree.symbols[base].integral || names.symbols.function_values.contains(base);
 }
 
 /// Does an equation of the section show that a letter changes? Words such as "variable mass" do not count:

@@ -20,7 +20,7 @@ ExprId base_unit(ExprTree& tree, Names& names, std::size_t which, Span span) {
   const ExprId unit = tree.add({.op = Op::symbol, .span = span, .symbol = symbol});
   const std::string positive = fmt::format("{} is positive", name);
   const bool known = std::ranges::any_of(
-      *names.scope.assumptions, [&](const NamedAssumption& each) { return each.origin.text == positive; });
+      names.scope.assumptions, [&](const NamedAssumption& each) { return each.origin.text == positive; });
   if (!known) {
     const ExprId zero = tree.add_number(span, "0");
     assume(names.scope, {{zero, unit, {}, {}, Relation::less}, {positive, "", std::nullopt}});

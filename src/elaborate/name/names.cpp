@@ -13,7 +13,7 @@ namespace {
 std::optional<KnownChange> declared_change(const Names& names, const SymbolTable& table, SymbolId base,
                                            const Variable& by) {
   const NameKey* key = key_of(names.symbols, base);
-  for (const DeclaredConstant& constant : *names.scope.constants) {
+  for (const DeclaredConstant& constant : names.scope.constants) {
     const NameKey* own = key_of(names.symbols, constant.symbol);
     const bool same = constant.symbol == base || (own != nullptr && key != nullptr && *own == *key);
     if (!same) continue;
@@ -80,8 +80,8 @@ KnownChange change_but_for_squares(const Names& names, const ExprTree& tree, Sym
 /// The symbol that was declared with these properties before, in any section.
 std::optional<SymbolId> declared_alike(const Symbols& symbols, const SymbolTable& table, const NameKey& key,
                                        const Symbol& symbol) {
-  const auto before = symbols.declared_before->find(key);
-  if (before == symbols.declared_before->end()) return std::nullopt;
+  const auto* before = symbols.declared_before.find(key);
+  if (before == nullptr) return std::nullopt;
   const Symbol& known = table[before->second];
   const bool alike =
       known.symmetric == symbol.symmetric && known.unit == symbol.unit && known.rotation == symbol.rotation;
@@ -93,8 +93,8 @@ std::optional<SymbolId> spoken_of(const Names& names, const NameKey& key, const 
   const bool plain = !symbol.symmetric && !symbol.unit && !symbol.rotation;
   const auto known = find_symbol(names.symbols, key);
   const bool fits = plain && known && !is_declared(names.symbols, key) &&
-                    !names.scope.seen_anywhere->contains(*known) &&
-                    !names.symbols.declared_before->contains(key);
+                    !names.scope.seen_anywhere.contains(*known) &&
+                    !names.symbols.declared_before.contains(key);
   return fits ? known : std::nullopt;
 }
 
@@ -112,9 +112,9 @@ SymbolId declare(Names& names, ExprTree& tree, const NameKey& named, Symbol symb
   if (!known) known = spoken_of(names, key, symbol);
   const SymbolId id = known ? *known : tree.symbols.add(std::move(symbol));
   tree.symbols[id].declared = true;
-  names.symbols.declared_before.write()[key] = id;
-  names.symbols.keys.write().emplace(id, key);
-  names.symbols.entries.write()[key] = {id, Declaration{directive, names.scope.depth}};
+  names.symbols.declared_before.put({key, id});
+  if (!names.symbols.keys.contains(id)) names.symbols.keys.put({id, key});
+  names.symbols.entries.put({key, {id, Declaration{directive, names.scope.depth}}});
   return id;
 }
 
@@ -136,7 +136,7 @@ bool enter_space(Names& names, const std::string& name, int dimension, std::size
 }
 
 void declare_particles(Names& names, const std::string& letter, std::size_t directive) {
-  names.symbols.particle_letters.write()[letter] = {directive, names.scope.depth};
+  names.symbols.particle_letters.put({letter, {directive, names.scope.depth}});
 }
 
 void forget(Names& names, std::size_t directive) {
@@ -174,7 +174,7 @@ bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol, con
   if (tree.symbols[base].unit_of_measure) return true;
   if (definition_of(names.scope, base) != nullptr || definition_of(names.scope, symbol) != nullptr)
     return true;
-  if (names.scope.variables->contains(base) || is_declared_constant(names.scope, base)) return true;
+  if (names.scope.variables.contains(base) || is_declared_constant(names.scope, base)) return true;
   const NameKey* key = key_of(names.symbols, base);
   if (key == nullptr || by == By::small) return true;
   if (by == By::space) return is_differentiated_by_place(names.symbols, *key);
@@ -222,14 +222,14 @@ bool is_field(const Names& names, const ExprTree& tree, SymbolId symbol) {
 
 bool is_small_scalar(const Names& names, const ExprTree& tree, const std::string& base) {
   const auto symbol = find_symbol(names.symbols, {base, 0, false});
-  return symbol && std::ranges::any_of(*names.scope.small, [&](const SmallQuantity& small) {
+  return symbol && std::ranges::any_of(names.scope.small, [&](const SmallQuantity& small) {
            return tree[small.quantity].op == Op::symbol && tree[small.quantity].symbol == *symbol;
          });
 }
 
 std::vector<std::string> known_names(const Names& names, const ExprTree& tree) {
   std::vector<std::string> known;
-  for (const auto& [key, entry] : *names.symbols.entries) {
+  for (const auto& [key, entry] : names.symbols.entries) {
     const bool in_scope = entry.declared.has_value() || definition_of(names.scope, entry.symbol) != nullptr ||
                           seen_in_equation(names.scope, entry.symbol);
     if (in_scope) known.push_back(tree.symbols[entry.symbol].name);

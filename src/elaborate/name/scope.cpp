@@ -10,17 +10,14 @@ namespace rigor {
 namespace {
 
 /// What was said further out stays said.
-void say_of(Shared<SaidOfSymbols>& said, SymbolId symbol, int depth) {
-  if (!said->contains(symbol)) said.write().emplace(symbol, depth);
+void say_of(SaidOfSymbols& said, SymbolId symbol, int depth) {
+  if (!said.contains(symbol)) said.put({symbol, depth});
 }
 
 /// What held before, but for what equations define since the last frame began.
 void restore(NameScope& scope, Held held) {
-  for (const NamedDefinition& later : *scope.definitions) {
-    if (!is_made_in_frame(scope, later)) continue;
-    held.definitions.erase_if(
-        [&](const NamedDefinition& old) { return old.definition.symbol == later.definition.symbol; });
-    held.definitions.write().push_back(later);
+  for (const NamedDefinition& later : scope.definitions) {
+    if (is_made_in_frame(scope, later)) held.definitions.put(later);
   }
   replace(scope, std::move(held));
 }
@@ -29,14 +26,11 @@ void restore(NameScope& scope, Held held) {
 
 void define(NameScope& scope, NamedDefinition definition) {
   definition.depth = definition.origin.directive ? scope.depth : 0;
-  forget_definition(scope, definition.definition.symbol);
-  scope.definitions.write().push_back(std::move(definition));
+  scope.definitions.put(std::move(definition));
 }
 
 const NamedDefinition* definition_of(const NameScope& scope, SymbolId symbol) {
-  const auto found = std::ranges::find_if(
-      *scope.definitions, [&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
-  return found == scope.definitions->end() ? nullptr : &*found;
+  return scope.definitions.find(symbol);
 }
 
 std::optional<ExprId> body_of_definition(const NameScope& scope, SymbolId symbol) {
@@ -62,20 +56,20 @@ std::vector<SymbolId> symbols_reached(const ExprTree& tree, const NameScope& sco
   return reached;
 }
 
-void forget_definition(NameScope& scope, SymbolId symbol) {
-  scope.definitions.erase_if([&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
-}
+void forget_definition(NameScope& scope, SymbolId symbol) { scope.definitions.erase(symbol); }
 
 void assume(NameScope& scope, NamedAssumption assumption) {
   assumption.depth = scope.depth;
-  scope.assumptions.write().push_back(std::move(assumption));
+  scope.assumptions.push_back(std::move(assumption));
 }
 
-void doubt_last_assumption(NameScope& scope) { scope.assumptions.write().back().without_sample = true; }
+void doubt_last_assumption(NameScope& scope) {
+  scope.assumptions.write(scope.assumptions.size() - 1).without_sample = true;
+}
 
 void note_unread(NameScope& scope, UnreadAssumption unread) {
   unread.depth = scope.depth;
-  scope.unread.write().push_back(std::move(unread));
+  scope.unread.push_back(std::move(unread));
 }
 
 void replace(NameScope& scope, Held held) {
@@ -84,17 +78,17 @@ void replace(NameScope& scope, Held held) {
 }
 
 void declare_constant(NameScope& scope, SymbolId symbol, std::optional<std::size_t> directive) {
-  scope.constants.write().push_back({symbol, directive, scope.depth, scope.frames->size()});
+  scope.constants.push_back({symbol, directive, scope.depth, scope.frames->size()});
 }
 
 bool is_declared_constant(const NameScope& scope, SymbolId symbol) {
-  return std::ranges::any_of(*scope.constants,
+  return std::ranges::any_of(scope.constants,
                              [&](const DeclaredConstant& each) { return each.symbol == symbol; });
 }
 
 Directives withdraw_constant(NameScope& scope, SymbolId symbol) {
   Directives withdrawn;
-  for (const DeclaredConstant& each : *scope.constants) {
+  for (const DeclaredConstant& each : scope.constants) {
     if (each.symbol == symbol && each.directive) withdrawn.insert(*each.directive);
   }
   scope.constants.erase_if([&](const DeclaredConstant& each) { return each.symbol == symbol; });
@@ -105,7 +99,7 @@ void declare_variable(NameScope& scope, SymbolId symbol) { say_of(scope.variable
 
 void declare_small(NameScope& scope, SmallQuantity small) {
   small.depth = scope.depth;
-  scope.small.write().push_back(std::move(small));
+  scope.small.push_back(std::move(small));
 }
 
 void note_other_order(NameScope& scope, SymbolId small) { say_of(scope.of_other_order, small, scope.depth); }
@@ -121,7 +115,7 @@ void withdraw_frame(NameScope& scope) { scope.frames.write().pop_back(); }
 
 bool is_made_in_frame(const NameScope& scope, const NamedDefinition& definition) {
   if (scope.frames->empty() || definition.origin.directive) return false;
-  return std::ranges::none_of(*scope.frames->back().before.definitions, [&](const NamedDefinition& old) {
+  return std::ranges::none_of(scope.frames->back().before.definitions, [&](const NamedDefinition& old) {
     return old.definition.symbol == definition.definition.symbol && old.origin.text == definition.origin.text;
   });
 }
@@ -129,7 +123,7 @@ bool is_made_in_frame(const NameScope& scope, const NamedDefinition& definition)
 void mark_seen(NameScope& scope, SymbolId symbol) {
   if (seen_in_equation(scope, symbol)) return;
   say_of(scope.seen, symbol, scope.depth);
-  if (!scope.seen_anywhere->contains(symbol)) scope.seen_anywhere.write().insert(symbol);
+  if (!scope.seen_anywhere.contains(symbol)) scope.seen_anywhere.put(symbol);
 }
 
 void open_section(NameScope& scope, int level) {

@@ -7,17 +7,17 @@
 // ends with the section. After a frame's section, the definitions are again those along fixed axes.
 //
 // A scope is kept for each place that is looked at later, so that it answers then as it did there. All parts
-// are shared: a copy increments one count for each, entering a section copies nothing, and leaving one copies
-// only the parts that lose an entry. The first change after a copy is linear in the part that changes.
+// are shared: a copy costs a pointer for each, what is said after it is appended, entering a section copies
+// nothing, and leaving one copies only the parts that lose an entry.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "base/shared.h"
+#include "base/shared_list.h"
 #include "elaborate/name/name_key.h"
 #include "expr/statement/statement.h"
 
@@ -60,10 +60,16 @@ struct UnreadAssumption {
   int depth = 0;
 };
 
+struct DefinedSymbol {
+  SymbolId operator()(const NamedDefinition& named) const { return named.definition.symbol; }
+};
+/// One for each symbol.
+using NamedDefinitions = SharedIndex<NamedDefinition, DefinedSymbol>;
+
 /// What was defined and assumed, to be taken back by `replace`.
 struct Held {
-  Shared<std::vector<NamedDefinition>> definitions;
-  Shared<std::vector<NamedAssumption>> assumptions;
+  NamedDefinitions definitions;
+  SharedList<NamedAssumption> assumptions;
 };
 
 /// `frame rot rotates with \boldsymbol{\omega} in in`: components are along the axes of `rotating`; the
@@ -94,21 +100,21 @@ struct DeclaredConstant {
 };
 
 /// For each symbol that something is said about, the depth of the outermost section that says it.
-using SaidOfSymbols = std::map<SymbolId, int>;
+using SaidOfSymbols = SharedMap<SymbolId, int>;
 
 struct NameScope {
-  Shared<std::vector<NamedDefinition>> definitions;
-  Shared<std::vector<NamedAssumption>> assumptions;
-  Shared<std::vector<UnreadAssumption>> unread;
+  NamedDefinitions definitions;
+  SharedList<NamedAssumption> assumptions;
+  SharedList<UnreadAssumption> unread;
   Shared<std::vector<Frame>> frames;  // the last one is in force
-  Shared<std::vector<DeclaredConstant>> constants;
-  Shared<std::vector<SmallQuantity>> small;
-  Shared<SaidOfSymbols> variables;           // they may change
-  Shared<SaidOfSymbols> for_all;             // statements are meant for all their values
-  Shared<SaidOfSymbols> of_other_order;      // declared small, and of another order by what else is said
-  Shared<SaidOfSymbols> seen;                // in an equation of this section or one around it
-  Shared<std::set<SymbolId>> seen_anywhere;  // in one of any section
-  int depth = 0;                             // of the section at hand
+  SharedList<DeclaredConstant> constants;
+  SharedList<SmallQuantity> small;
+  SaidOfSymbols variables;            // they may change
+  SaidOfSymbols for_all;              // statements are meant for all their values
+  SaidOfSymbols of_other_order;       // declared small, and of another order by what else is said
+  SaidOfSymbols seen;                 // in an equation of this section or one around it
+  SharedSet<SymbolId> seen_anywhere;  // in one of any section
+  int depth = 0;                      // of the section at hand
 };
 
 /// A second definition takes the place of the first.
@@ -136,12 +142,12 @@ void declare_variable(NameScope& scope, SymbolId symbol);
 void declare_small(NameScope& scope, SmallQuantity small);
 void note_other_order(NameScope& scope, SymbolId small);
 [[nodiscard]] inline bool is_of_other_order(const NameScope& scope, SymbolId small) {
-  return scope.of_other_order->contains(small);
+  return scope.of_other_order.contains(small);
 }
 void mean_for_all(NameScope& scope, SymbolId symbol);
 /// Are statements meant for all its values? That says nothing about its derivatives.
 [[nodiscard]] inline bool is_for_all(const NameScope& scope, SymbolId symbol) {
-  return scope.for_all->contains(symbol);
+  return scope.for_all.contains(symbol);
 }
 
 /// From here on components are along turning axes.
@@ -153,7 +159,7 @@ void withdraw_frame(NameScope& scope);
 
 /// Was the symbol part of an equation before, in this section or one around it? (A declaration alone is not.)
 [[nodiscard]] inline bool seen_in_equation(const NameScope& scope, SymbolId symbol) {
-  return scope.seen->contains(symbol);
+  return scope.seen.contains(symbol);
 }
 void mark_seen(NameScope& scope, SymbolId symbol);
 

@@ -22,8 +22,8 @@ AxisSpaces axes_of(const Symbols& symbols, MatrixShape shape) {
 }
 
 std::optional<SymbolId> find_symbol(const Symbols& symbols, const NameKey& key) {
-  const auto found = symbols.entries->find(placed(symbols, key));
-  return found == symbols.entries->end() ? std::nullopt : std::optional(found->second.symbol);
+  const auto* found = symbols.entries.find(placed(symbols, key));
+  return found == nullptr ? std::nullopt : std::optional(found->second.symbol);
 }
 
 SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const std::string& name, Span span) {
@@ -43,24 +43,24 @@ SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const s
   symbol.first_seen = span;
   // After its section, a declared letter is the same symbol, undeclared; if the declaration gave it
   // properties (symmetric, unit, rotation), it is another symbol.
-  const auto before = symbols.declared_before->find(key);
-  const bool same = before != symbols.declared_before->end() && !tree.symbols[before->second].symmetric &&
+  const auto* before = symbols.declared_before.find(key);
+  const bool same = before != nullptr && !tree.symbols[before->second].symmetric &&
                     !tree.symbols[before->second].unit && !tree.symbols[before->second].rotation;
   const SymbolId id = same ? before->second : tree.symbols.add(std::move(symbol));
   tree.symbols[id].declared = false;
-  symbols.keys.write().emplace(id, key);
-  symbols.entries.write()[key] = {id};
+  if (!symbols.keys.contains(id)) symbols.keys.put({id, key});
+  symbols.entries.put({key, {id}});
   return id;
 }
 
 const NameKey* key_of(const Symbols& symbols, SymbolId symbol) {
-  const auto found = symbols.keys->find(symbol);
-  return found == symbols.keys->end() ? nullptr : &found->second;
+  const auto* found = symbols.keys.find(symbol);
+  return found == nullptr ? nullptr : &found->second;
 }
 
 std::optional<std::size_t> declared_by(const Symbols& symbols, const NameKey& key) {
-  const auto found = symbols.entries->find(placed(symbols, key));
-  if (found == symbols.entries->end() || !found->second.declared) return std::nullopt;
+  const auto* found = symbols.entries.find(placed(symbols, key));
+  if (found == nullptr || !found->second.declared) return std::nullopt;
   return found->second.declared->directive;
 }
 
@@ -82,12 +82,12 @@ NameKey placed(const Symbols& symbols, NameKey key) {
 }
 
 bool labels_particles(const Symbols& symbols, const std::string& letter) {
-  return symbols.particle_letters->contains(letter) || symbols.sightings->summed_greek.contains(letter);
+  return symbols.particle_letters.contains(letter) || symbols.sightings->summed_greek.contains(letter);
 }
 
 std::optional<std::size_t> particles_declared_by(const Symbols& symbols, const std::string& letter) {
-  const auto found = symbols.particle_letters->find(letter);
-  return found == symbols.particle_letters->end() ? std::nullopt : std::optional(found->second.directive);
+  const auto* found = symbols.particle_letters.find(letter);
+  return found == nullptr ? std::nullopt : std::optional(found->second.directive);
 }
 
 bool is_principal_value(const Symbols& symbols, const SymbolTable& table, SymbolId symbol) {

@@ -9,7 +9,7 @@
 // file. Evidence is of the section at hand and those around it, and is kept with the place where it was
 // valid.
 //
-// All parts are shared: a copy increments one count for each, and the first change after it copies that part.
+// All parts are shared: a copy costs a pointer for each, and what comes after it is appended.
 #pragma once
 
 #include <map>
@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "base/shared.h"
+#include "base/shared_list.h"
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/name/name_key.h"
 #include "elaborate/name/sightings.h"
@@ -53,11 +54,11 @@ struct Symbols {
     std::optional<Declaration> declared = {};
   };
 
-  Shared<std::map<NameKey, Entry>> entries;
-  Shared<std::map<SymbolId, NameKey>> keys;
-  Shared<std::map<NameKey, SymbolId>> declared_before;  // in any section
-  Shared<std::map<SymbolId, FunctionValue>> function_values;
-  Shared<std::map<std::string, Declaration>> particle_letters;
+  SharedMap<NameKey, Entry> entries;
+  SharedMap<SymbolId, NameKey> keys;
+  SharedMap<NameKey, SymbolId> declared_before;  // in any section
+  SharedMap<SymbolId, FunctionValue> function_values;
+  SharedMap<std::string, Declaration> particle_letters;
   Shared<std::vector<SpaceInForce>> spaces;                             // the innermost last
   Shared<std::map<std::pair<std::string, int>, Space>> spaces_by_name;  // of the file: name and dimension
   Shared<std::set<NameKey>> plain;      // `vector A`: the plain letter is the vector itself, not its length

@@ -361,9 +361,10 @@ MaybeTyped value_of_function(Reading& reading, SyntaxId function, SyntaxId brack
   const std::string name = fmt::format("{}({})", name_of_function(reading, *of), arguments);
   reading.found.values = true;
   const SymbolId symbol = symbol_named(reading, {name, of->rank, false}, name, span);
-  if (reading.tree[of->id].op == Op::symbol && !reading.names.symbols.function_values->contains(symbol))
-    reading.names.symbols.function_values.write()[symbol] = {
-        reading.tree[of->id].symbol, running_variables(reading, syntax.symbol(function), at.size()), at};
+  if (reading.tree[of->id].op == Op::symbol && !reading.names.symbols.function_values.contains(symbol))
+    reading.names.symbols.function_values.put(
+        {symbol,
+         {reading.tree[of->id].symbol, running_variables(reading, syntax.symbol(function), at.size()), at}});
   Typed value{.rank = of->rank};
   value.id = reading.tree.add({.op = Op::symbol,
                                .rank = static_cast<std::uint8_t>(of->rank),

@@ -64,13 +64,12 @@ std::optional<Limit> limit_of(Reading& reading, SyntaxId id, const Around& aroun
 /// `\int_0^1\langle sx\rangle\,ds`, `\sum_i\langle x_i\rangle`: the variable stands where nothing runs.
 bool is_averaged_over(Reading& reading, SymbolId variable, ExprId integrand, Span span) {
   const ExprTree& tree = reading.tree;
-  const auto& values = *reading.names.symbols.function_values;
+  const auto& values = reading.names.symbols.function_values;
   const auto speaks = [&](SymbolId each) {
     const auto value = values.find(base_of(tree.symbols, each));
-    return each == variable ||
-           (value != values.end() && std::ranges::any_of(value->second.at, [&](ExprId at) {
-              return is_one_of(variable, letters_in(tree, at));
-            }));
+    return each == variable || (value != nullptr && std::ranges::any_of(value->second.at, [&](ExprId at) {
+                                  return is_one_of(variable, letters_in(tree, at));
+                                }));
   };
   const bool hidden = std::ranges::any_of(symbols_in(tree, integrand), [&](SymbolId each) {
     const auto& average = tree.symbols[base_of(tree.symbols, each)].integral;
@@ -92,7 +91,7 @@ bool is_bound_to(const Reading& reading, SymbolId variable, ExprId integrand) {
   if (const auto body = body_of_definition(scope, variable);
       body && speaks(symbols_reached(reading.tree, scope, {*body})))
     return true;
-  return std::ranges::any_of(*scope.assumptions, [&](const NamedAssumption& each) {
+  return std::ranges::any_of(scope.assumptions, [&](const NamedAssumption& each) {
     if (each.equation.relation != Relation::equal) return false;
     std::vector<SymbolId> letters = symbols_in(reading.tree, each.equation.left);
     for (const SymbolId letter : symbols_in(reading.tree, each.equation.right)) letters.push_back(letter);

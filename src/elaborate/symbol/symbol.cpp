@@ -381,9 +381,9 @@ std::optional<MaybeTyped> member_of_sequence(Reading& reading, const WrittenSymb
   const std::string base = letter_with_marks(written);
   const std::string name = fmt::format("{}_{{{}}}", base, *counter);
   const SymbolId symbol = symbol_named(reading, {base + "[" + *counter + "]", 0, false}, name, span);
-  if (!reading.names.symbols.function_values->contains(symbol)) {
+  if (!reading.names.symbols.function_values.contains(symbol)) {
     const SymbolId of = symbol_named(reading, {base + "[]", 0, false}, base, span);
-    reading.names.symbols.function_values.write()[symbol] = {of, {*counter}, {at->id}, true};
+    reading.names.symbols.function_values.put({symbol, {of, {*counter}, {at->id}, true}});
   }
   return Typed{.id = reading.tree.add({.op = Op::symbol, .span = span, .symbol = symbol})};
 }

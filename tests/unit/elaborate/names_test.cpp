@@ -126,7 +126,7 @@ TEST_CASE("a second definition takes the place of the first") {
   const SymbolId symbol = resolve(names.symbols, tree, scalar_a, "A", {});
   define(names.scope, definition_of(symbol, 1));
   define(names.scope, definition_of(symbol, 2));
-  CHECK(names.scope.definitions->size() == 1);
+  CHECK(names.scope.definitions.size() == 1);
   CHECK(definition_of(names.scope, symbol)->origin.directive == 2u);
   forget_definition(names.scope, symbol);
   CHECK(definition_of(names.scope, symbol) == nullptr);
@@ -139,11 +139,11 @@ TEST_CASE("an assumption ends with its section") {
   assume(names.scope, {});
   open_section(names, 2);
   assume(names.scope, {});
-  CHECK(names.scope.assumptions->size() == 2);
+  CHECK(names.scope.assumptions.size() == 2);
   open_section(names, 2);
-  CHECK(names.scope.assumptions->size() == 1);
+  CHECK(names.scope.assumptions.size() == 1);
   open_section(names, 1);
-  CHECK(names.scope.assumptions->empty());
+  CHECK(names.scope.assumptions.empty());
 }
 
 TEST_CASE("an assumption that no sample satisfies is remembered as such") {
@@ -151,8 +151,8 @@ TEST_CASE("an assumption that no sample satisfies is remembered as such") {
   assume(names.scope, {});
   assume(names.scope, {});
   doubt_last_assumption(names.scope);
-  CHECK_FALSE((*names.scope.assumptions)[0].without_sample);
-  CHECK((*names.scope.assumptions)[1].without_sample);
+  CHECK_FALSE((names.scope.assumptions)[0].without_sample);
+  CHECK((names.scope.assumptions)[1].without_sample);
 }
 
 TEST_CASE("a vector declared by its plain letter is that letter while the declaration holds") {
@@ -221,14 +221,14 @@ TEST_CASE("what is kept of a place answers as it did there, whatever is said lat
   CHECK_FALSE(is_for_all(names.scope, symbol));
   CHECK(is_declared(kept.symbols, scalar_a));
   CHECK(definition_of(kept.scope, symbol) != nullptr);
-  CHECK(kept.scope.assumptions->size() == 1);
+  CHECK(kept.scope.assumptions.size() == 1);
   CHECK(is_for_all(kept.scope, symbol));
   CHECK(seen_in_equation(kept.scope, symbol));
   CHECK(change(kept, tree, symbol, By::time).directive == 2u);
   CHECK_FALSE(labels_particles(kept.symbols, "n"));
   CHECK_FALSE(kept.symbols.sightings->places);
   CHECK_FALSE(kept.symbols.evidence->operators);
-  CHECK(kept.scope.small->empty());
+  CHECK(kept.scope.small.empty());
 }
 
 TEST_CASE("entering a section copies nothing, and leaving one only what something goes from") {
@@ -239,15 +239,15 @@ TEST_CASE("entering a section copies nothing, and leaving one only what somethin
   mark_seen(names.scope, symbol);
   const Names before = names;
   open_section(names, 1);
-  CHECK(&*names.symbols.entries == &*before.symbols.entries);
-  CHECK(&*names.scope.definitions == &*before.scope.definitions);
-  CHECK(&*names.scope.seen == &*before.scope.seen);
+  CHECK(&names.symbols.entries == &before.symbols.entries);
+  CHECK(&names.scope.definitions == &before.scope.definitions);
+  CHECK(&names.scope.seen == &before.scope.seen);
   assume(names.scope, {});
   const Names inside = names;
   open_section(names, 1);
-  CHECK(&*names.symbols.entries == &*before.symbols.entries);
-  CHECK(&*names.scope.definitions == &*before.scope.definitions);
-  CHECK(&*names.scope.assumptions != &*inside.scope.assumptions);
+  CHECK(&names.symbols.entries == &before.symbols.entries);
+  CHECK(&names.scope.definitions == &before.scope.definitions);
+  CHECK(&names.scope.assumptions != &inside.scope.assumptions);
 }
 
 TEST_CASE("what is said of a symbol further out stays said behind a section that says it again") {
@@ -278,7 +278,7 @@ TEST_CASE("behind a frame holds what held before it, and what equations defined 
   CHECK(definition_of(scope, outside) != nullptr);
   CHECK(definition_of(scope, inside) != nullptr);
   CHECK(definition_of(scope, by_frame) == nullptr);
-  CHECK(before.definitions->size() == 1);
+  CHECK(before.definitions.size() == 1);
 }
 
 TEST_CASE("who withdraws a constant is told which directives called it so") {
