@@ -11,6 +11,7 @@
 #include "algebra/engine/undecidable.h"
 #include "base/among.h"
 #include "base/check.h"
+#include "base/marks.h"
 
 namespace rigor {
 namespace {
@@ -121,7 +122,8 @@ void note_what_functions_see(const Scope& scope, std::span<const ExprId> roots, 
 Reach reach(const Scope& scope, std::span<const ExprId> roots) {
   const ExprTree& tree = scope.tree();
   Reach reached;
-  std::vector<bool> seen(tree.symbols.size(), false);
+  static thread_local Marks seen;
+  seen.clear(tree.symbols.size());
   std::vector<ExprId> open(roots.rbegin(), roots.rend());
   while (!open.empty()) {
     const ExprId id = open.back();
@@ -131,8 +133,7 @@ Reach reach(const Scope& scope, std::span<const ExprId> roots) {
     note_operation(node, reached);
     const auto children = tree.children(id);
     open.insert(open.end(), children.rbegin(), children.rend());
-    if (node.op != Op::symbol || seen[static_cast<std::size_t>(node.symbol)]) continue;
-    seen[static_cast<std::size_t>(node.symbol)] = true;
+    if (node.op != Op::symbol || !seen.mark(static_cast<std::size_t>(node.symbol))) continue;
     if (const Definition* definition = scope.definition_of(node.symbol)) {
       reached.unfolded.push_back(node.symbol);
       open.push_back(definition->body);

@@ -246,9 +246,8 @@ class Solving {
   }
 
   void list() {
-    const auto same = [](const SymbolDimension& a, const SymbolDimension& b) {
-      return a.symbol == b.symbol && a.dimension == b.dimension;
-    };
+    std::set<std::pair<std::string, std::optional<std::string>>> listed;
+    for (const SymbolDimension& each : report_.dimensions) listed.emplace(each.symbol, each.dimension);
     for (Unknown unknown = 0; unknown < record_.unknowns.size(); ++unknown) {
       if (!record_.unknowns[unknown].listed) continue;
       std::optional<Dimension> found = find(system_, unknown);
@@ -256,9 +255,8 @@ class Solving {
         found = local->second;
       SymbolDimension entry{record_.unknowns[unknown].text, std::nullopt};
       if (found) entry.dimension = found->text();
-      const bool known = std::ranges::any_of(
-          report_.dimensions, [&](const SymbolDimension& other) { return same(entry, other); });
-      if (!known) report_.dimensions.push_back(std::move(entry));
+      if (listed.emplace(entry.symbol, entry.dimension).second)
+        report_.dimensions.push_back(std::move(entry));
     }
   }
 

@@ -5,9 +5,12 @@
 // alone: `\omega_p` and `\omega_c` are two things.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "base/ascii.h"
 #include "check/lint/lint.h"
@@ -16,16 +19,19 @@
 namespace rigor {
 namespace {
 
-struct Name {
+struct SeenName {
   std::set<std::size_t> steps;  // of the report
   Span first;
   bool declared = false;
 };
+using SeenNames = std::map<std::string, SeenName>;
 
 struct Labelled {
   std::string letter;
   std::string label;  // letters only
 };
+/// With their labels: names of one letter whose labels are of one length.
+using Alike = std::vector<std::pair<const SeenNames::value_type*, std::string>>;
 
 /// `T` and `rot` of `T_{\text{rot}}`.
 std::optional<Labelled> taken_apart(const std::string& name) {
@@ -45,21 +51,14 @@ std::optional<Labelled> taken_apart(const std::string& name) {
   return result.label.size() >= shortest_label ? std::optional(result) : std::nullopt;
 }
 
-bool differ_by_a_slip(const std::string& name, const std::string& other) {
-  const auto one = taken_apart(name);
-  const auto two = taken_apart(other);
-  return one && two && one->letter == two->letter && one->label.size() == two->label.size() &&
-         edit_distance(one->label, two->label, 1) == 1;
-}
-
-std::map<std::string, Name> names_in(const LintInput& input) {
-  std::map<std::string, Name> names;
+SeenNames names_in(const LintInput& input) {
+  SeenNames names;
   for (const StatedEquation& stated : input.stated) {
     for (const ExprId id : nodes_below(input.tree, {stated.left, stated.right})) {
       const ExprNode& node = input.tree[id];
       if (node.op != Op::symbol) continue;
       const Symbol& symbol = input.tree.symbols[base_of(input.tree.symbols, node.symbol)];
-      Name& name = names[symbol.name];
+      SeenName& name = names[symbol.name];
       if (name.steps.empty()) name.first = node.span;
       name.steps.insert(stated.step);
       name.declared = name.declared || symbol.declared;
@@ -68,25 +67,42 @@ std::map<std::string, Name> names_in(const LintInput& input) {
   return names;
 }
 
+/// In the order of their texts.
+std::map<std::pair<std::string, std::size_t>, Alike> alike_in(const SeenNames& names) {
+  std::map<std::pair<std::string, std::size_t>, Alike> groups;
+  for (const auto& each : names) {
+    if (auto apart = taken_apart(each.first))
+      groups[{apart->letter, apart->label.size()}].emplace_back(&each, std::move(apart->label));
+  }
+  return groups;
+}
+
+/// Is the second name known from elsewhere, or was it there first?
+bool was_there_before(const SeenName& name, const SeenName& other) {
+  if (other.steps.contains(*name.steps.begin())) return false;
+  return other.steps.size() > 1 || other.declared || other.first.begin <= name.first.begin;
+}
+
 }  // namespace
 
 Findings lint_names(const LintInput& input) {
-  const std::map<std::string, Name> names = names_in(input);
+  const SeenNames names = names_in(input);
   Findings findings;
-  for (const auto& [text, name] : names) {
-    if (name.steps.size() > 1 || name.declared) continue;
-    for (const auto& [other_text, other] : names) {
-      const bool in_one_step = other.steps.contains(*name.steps.begin());
-      if (in_one_step || (other.steps.size() == 1 && !other.declared && other.first.begin > name.first.begin))
-        continue;
-      if (!differ_by_a_slip(text, other_text)) continue;
+  for (const auto& [shape, alike] : alike_in(names)) {
+    for (const auto& [named, label] : alike) {
+      const auto& [text, name] = *named;
+      if (name.steps.size() > 1 || name.declared) continue;
+      const auto meant = std::ranges::find_if(alike, [&](const auto& other) {
+        return was_there_before(name, other.first->second) && edit_distance(label, other.second, 1) == 1;
+      });
+      if (meant == alike.end()) continue;
+      const auto& [meant_text, other] = *meant->first;
       findings.push_back(
           {{DiagnosticKind::near_name,
             name.first,
-            fmt::format("no other equation has `{}`; is `{}` meant?", text, other_text),
+            fmt::format("no other equation has `{}`; is `{}` meant?", text, meant_text),
             {{other.first, ""}},
             {fmt::format("`rigor: scalar {}`, or what it is, says that it is another quantity", text)}}});
-      break;
     }
   }
   return findings;

@@ -126,6 +126,9 @@ bool stands_last(std::string_view text, std::size_t at) {
                              [&](std::string_view closing) { return behind.starts_with(closing); });
 }
 
+/// Of one sentence: each has all that is before it as its lead.
+constexpr std::size_t most_displays = 64;
+
 class ProseReader {
  public:
   explicit ProseReader(const SourceMap& sources) : sources_(sources), walk_(prose_.sections) {}
@@ -135,8 +138,9 @@ class ProseReader {
     for (event_ = 0; event_ < events.size(); ++event_) {
       const ProseEvent& event = events[event_];
       if (event.kind != ProseEvent::Kind::passed_over) {
-        std::uint32_t& at =
-            read_to_.try_emplace(event.span.file, behind_preamble(event.span.file)).first->second;
+        const auto [read, is_new] = read_to_.try_emplace(event.span.file);
+        std::uint32_t& at = read->second;
+        if (is_new) at = behind_preamble(event.span.file);
         if (at < event.span.begin) take({event.span.file, at, event.span.begin});
         at = std::max(at, event.span.end);
       }
@@ -159,7 +163,8 @@ class ProseReader {
       last_display_ = event_;
       sentence_ += "\n";
       tail_begin_ = sentence_.size();
-      if (ends_sentence(sources_.text(event.span))) end_sentence();
+      const bool endless = displays_ - displays_before_ == most_displays;
+      if (endless || ends_sentence(sources_.text(event.span))) end_sentence();
     }
     if (!events.empty()) take_rest(events);
     end_sentence();

@@ -107,8 +107,7 @@ class Suspecting {
 
   /// What was read, without the laws that the samples met.
   Names without_laws(Names names) const {
-    names.scope.definitions = names_.scope.definitions;
-    names.scope.assumptions = names_.scope.assumptions;
+    replace(names.scope, held(names_.scope));
     names.scope.constants = names_.scope.constants;
     return names;
   }

@@ -61,8 +61,11 @@ std::optional<Definition> as_definition(ExprTree& tree, const NameScope& scope, 
 
 bool is_circular(const ExprTree& tree, const NameScope& scope, const Typed& left, const Typed& right) {
   if (tree[left.id].op != Op::symbol) return false;
-  const auto body_of = [&](SymbolId symbol) { return body_of_definition(scope, symbol); };
   const SymbolId own = tree[left.id].symbol;
+  const bool is_newer = static_cast<std::size_t>(scope.last_body) < tree.symbols[own].made_at;
+  const auto body_of = [&](SymbolId symbol) {  // no definition can have what came after all of them
+    return is_newer ? std::nullopt : body_of_definition(scope, symbol);
+  };
   std::set<SymbolId> seen;
   std::vector<ExprId> pending{right.id};
   while (!pending.empty()) {

@@ -44,6 +44,7 @@ void compare_orders(Walk& walk, const Equation& equation, Span span, Diagnostics
 
 /// What is now defined has derivatives of its own: rules for them are equations from here on.
 void assume_rules_above(Walk& walk, SymbolId symbol) {
+  if (!walk.tree.symbols.has_derivatives(base_of(walk.tree.symbols, symbol))) return;
   NameScope& scope = walk.names.scope;
   const auto is_above = [&](const NamedDefinition& rule) {
     const SymbolId known = rule.definition.symbol;

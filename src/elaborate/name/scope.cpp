@@ -26,6 +26,7 @@ void restore(NameScope& scope, Held held) {
 
 void define(NameScope& scope, NamedDefinition definition) {
   definition.depth = definition.origin.directive ? scope.depth : 0;
+  scope.last_body = std::max(scope.last_body, definition.definition.body);
   scope.definitions.put(std::move(definition));
 }
 
@@ -74,6 +75,8 @@ void note_unread(NameScope& scope, UnreadAssumption unread) {
 
 void replace(NameScope& scope, Held held) {
   scope.definitions = std::move(held.definitions);
+  for (const NamedDefinition& each : scope.definitions)
+    scope.last_body = std::max(scope.last_body, each.definition.body);
   scope.assumptions = std::move(held.assumptions);
 }
 

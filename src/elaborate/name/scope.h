@@ -104,6 +104,7 @@ using SaidOfSymbols = SharedMap<SymbolId, int>;
 
 struct NameScope {
   NamedDefinitions definitions;
+  ExprId last_body{};  // no body of theirs is behind it
   SharedList<NamedAssumption> assumptions;
   SharedList<UnreadAssumption> unread;
   Shared<std::vector<Frame>> frames;  // the last one is in force

@@ -41,6 +41,7 @@ SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const s
   symbol.complex = key.complex;
   symbol.noncommuting = key.noncommuting;
   symbol.first_seen = span;
+  symbol.made_at = tree.size();
   // After its section, a declared letter is the same symbol, undeclared; if the declaration gave it
   // properties (symmetric, unit, rotation), it is another symbol.
   const auto* before = symbols.declared_before.find(key);

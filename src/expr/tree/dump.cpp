@@ -5,6 +5,7 @@
 #include <string_view>
 #include <variant>
 
+#include "base/marks.h"
 #include "expr/tree/tree.h"
 
 namespace rigor {
@@ -105,15 +106,14 @@ bool is_of_common_space(const ExprTree& tree, ExprId root) {
 
 std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root) {
   std::vector<SymbolId> found;
-  std::vector<bool> seen(tree.symbols.size(), false);
+  static thread_local Marks seen;
+  seen.clear(tree.symbols.size());
   std::vector<ExprId> open{root};
   while (!open.empty()) {
     const ExprId id = open.back();
     open.pop_back();
-    if (tree[id].op == Op::symbol && !seen[static_cast<std::size_t>(tree[id].symbol)]) {
-      seen[static_cast<std::size_t>(tree[id].symbol)] = true;
+    if (tree[id].op == Op::symbol && seen.mark(static_cast<std::size_t>(tree[id].symbol)))
       found.push_back(tree[id].symbol);
-    }
     const auto children = tree.children(id);
     open.insert(open.end(), children.rbegin(), children.rend());
   }

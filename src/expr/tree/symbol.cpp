@@ -78,6 +78,11 @@ std::optional<SymbolId> SymbolTable::find(const Derivation& derivation) const {
   return known == derivatives_.end() ? std::nullopt : std::optional(known->second);
 }
 
+bool SymbolTable::has_derivatives(SymbolId base) const {
+  const auto first = derivatives_.lower_bound({base, {}});
+  return first != derivatives_.end() && first->first.base == base;
+}
+
 std::size_t canonical_component(const Symbol& symbol, std::size_t component) {
   const auto exchangeable = static_cast<std::size_t>(symbol.order(By::space));
   if (exchangeable < 2 && !symbol.symmetric) return component;

@@ -101,6 +101,7 @@ struct Symbol {
   bool circle_number = false;  // π, unless it is defined
   std::optional<Dimension> unit_of_measure = {};  // of a unit such as the metre: positive, never changes
   Span first_seen = {};
+  std::size_t made_at = 0;  // the size of the tree: no node before it is this symbol, or has it below
   std::optional<Derivation> derivation = {};  // of a derivative; the last axes, by space, can be exchanged
   AxisSpaces axes = {};                       // orthonormal
   std::optional<Integral> integral = {};
@@ -136,6 +137,7 @@ class SymbolTable {
   SymbolId derivative(const Derivation& derivation);
   /// The derivative if it was made before.
   [[nodiscard]] std::optional<SymbolId> find(const Derivation& derivation) const;
+  [[nodiscard]] bool has_derivatives(SymbolId base) const;
 
  private:
   std::deque<Symbol> symbols_;

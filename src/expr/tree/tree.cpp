@@ -6,6 +6,7 @@
 
 #include "base/ascii.h"
 #include "base/check.h"
+#include "base/marks.h"
 
 namespace rigor {
 namespace {
@@ -337,13 +338,13 @@ bool ExprTree::is_zero_literal(ExprId id) const {
 
 std::vector<ExprId> nodes_below(const ExprTree& tree, std::vector<ExprId> roots) {
   std::vector<ExprId> nodes;
-  std::vector<bool> reached(tree.size());
+  static thread_local Marks reached;
+  reached.clear(tree.size());
   std::ranges::reverse(roots);
   while (!roots.empty()) {
     const ExprId id = roots.back();
     roots.pop_back();
-    if (reached[static_cast<std::size_t>(id)]) continue;
-    reached[static_cast<std::size_t>(id)] = true;
+    if (!reached.mark(static_cast<std::size_t>(id))) continue;
     nodes.push_back(id);
     const auto children = tree.children(id);
     roots.insert(roots.end(), children.rbegin(), children.rend());

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/shared_list.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/splitmix.h"
+#include "catch.h"
+
+namespace rigor {
+namespace {
+
+template <class List>
+std::vector<typename List::value_type> values_of(const List& list) {
+  return {list.begin(), list.end()};
+}
+
+TEST_CASE("a copy of a list does not see what the other one takes in later") {
+  SharedList<int> list;
+  list.push_back(1);
+  const SharedList<int> before = list;
+  list.push_back(2);
+  SharedList<int> other = before;
+  other.push_back(3);  // where `list` has 2
+  CHECK(values_of(before) == std::vector{1});
+  CHECK(values_of(list) == std::vector{1, 2});
+  CHECK(values_of(other) == std::vector{1, 3});
+  other.write(0) = 4;
+  CHECK(values_of(other) == std::vector{4, 3});
+  CHECK(values_of(before) == std::vector{1});
+}
+
+TEST_CASE("appending to what is shared copies nothing, and moves nothing") {
+  SharedList<int> list;
+  list.push_back(1);
+  const SharedList<int> before = list;
+  const int* first = &before[0];
+  for (int k = 0; k < 1000; ++k) list.push_back(k);
+  CHECK(&list[0] == first);
+  CHECK(&before[0] == first);
+}
+
+TEST_CASE("a list that was shortened appends where it ends") {
+  SharedList<int> list;
+  for (int k = 0; k < 3; ++k) list.push_back(k);
+  const SharedList<int> longer = list;
+  list.pop_back();
+  list.push_back(7);
+  CHECK(values_of(list) == std::vector{0, 1, 7});
+  CHECK(values_of(longer) == std::vector{0, 1, 2});
+}
+
+TEST_CASE("a map finds its own entries only") {
+  SharedMap<std::string, int> map;
+  map.put({"a", 1});
+  const SharedMap<std::string, int> before = map;
+  map.put({"b", 2});
+  SharedMap<std::string, int> other = before;
+  other.put({"b", 3});
+  map.put({"a", 4});
+  CHECK(before.find("b") == nullptr);
+  CHECK(before.find("a")->second == 1);
+  CHECK(other.find("b")->second == 3);
+  CHECK(map.find("a")->second == 4);
+  CHECK(map.size() == 2);
+  CHECK(values_of(map).back().first == "a");  // put again: the last
+  map.erase("b");
+  CHECK_FALSE(map.contains("b"));
+  CHECK(other.contains("b"));
+  CHECK(SharedMap<std::string, int>().find("a") == nullptr);
+}
+
+TEST_CASE("copies that change in any order are what copies of vectors would be") {
+  SplitMix bits(1);
+  std::vector<SharedSet<int>> sets(1);
+  std::vector<std::vector<int>> plain(1);
+  for (int n = 0; n < 20'000; ++n) {
+    const std::size_t k = bits.below(sets.size());
+    const int value = static_cast<int>(bits.below(30));
+    switch (bits.below(4)) {
+      case 0:
+        if (sets.size() < 20) {
+          sets.push_back(sets[k]);
+          plain.push_back(plain[k]);
+        } else {
+          const std::size_t into = bits.below(sets.size());
+          sets[into] = sets[k];
+          plain[into] = plain[k];
+        }
+        break;
+      case 1:
+        sets[k].erase(value);
+        std::erase(plain[k], value);
+        break;
+      default:
+        sets[k].put(value);
+        std::erase(plain[k], value);
+        plain[k].push_back(value);
+    }
+    const std::size_t seen = bits.below(sets.size());
+    REQUIRE(values_of(sets[seen]) == plain[seen]);
+    REQUIRE(sets[seen].contains(value) == (std::ranges::count(plain[seen], value) > 0));
+  }
+}
+
+}  // namespace
+}  // namespace rigor
