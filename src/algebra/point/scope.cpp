@@ -11,7 +11,7 @@
 #include "algebra/engine/undecidable.h"
 #include "base/among.h"
 #include "base/check.h"
-#include "base/marks.h"
+#include "expr/tree/marks.h"
 
 namespace rigor {
 namespace {

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "base/shared.h"
-#include "base/shared_list.h"
 #include "elaborate/name/name_key.h"
 #include "expr/statement/statement.h"
 

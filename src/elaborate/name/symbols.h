@@ -20,7 +20,6 @@
 #include <vector>
 
 #include "base/shared.h"
-#include "base/shared_list.h"
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/name/name_key.h"
 #include "elaborate/name/sightings.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <variant>
 
-#include "base/marks.h"
+#include "expr/tree/marks.h"
 #include "expr/tree/tree.h"
 
 namespace rigor {

@@ -6,7 +6,7 @@
 
 #include "base/ascii.h"
 #include "base/check.h"
-#include "base/marks.h"
+#include "expr/tree/marks.h"
 
 namespace rigor {
 namespace {

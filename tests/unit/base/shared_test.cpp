@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/shared_list.h"
+#include "base/shared.h"
 
 #include <algorithm>
 #include <string>
