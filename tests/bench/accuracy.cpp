@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes docs/accuracy.md and its pictures: which forms of the notes to compute, what programs cost beside
-// hand-written loops and GiNaC, the kernels beside their peers, and the notes' formulas against the motion of
-// bodies.
+// Writes the tables and pictures behind docs/accuracy.md: which forms of the notes to compute, what programs
+// cost beside hand-written loops and GiNaC, the kernels beside their peers, and the notes' formulas against
+// the motion of bodies.
 //
-//   accuracy FOLDER PROGRAM_BENCH KERNEL_BENCH      from the top of the repository
+//   accuracy FOLDER PROGRAM_BENCH KERNEL_BENCH      from the top of the repository; FOLDER/tables.md
 #include <fmt/format.h>
 
 #include <array>
@@ -43,14 +43,11 @@ std::string machine() {
   return fmt::format("{} (model {}), {} cores", model, number, first_line(output_of("nproc")));
 }
 
-/// What a file holds that was written into `folder`, with the pictures that it shows found from its parent.
-std::string taken_from(const std::filesystem::path& written, const std::filesystem::path& folder) {
+/// What a file holds, which is then taken away.
+std::string taken_from(const std::filesystem::path& written) {
   std::ifstream file(written);
   std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   std::filesystem::remove(written);
-  const std::string here = "![time against error](";
-  for (auto at = text.find(here); at != std::string::npos; at = text.find(here, at + 1))
-    text.insert(at + here.size(), folder.filename().string() + "/");
   return text;
 }
 
@@ -60,13 +57,13 @@ std::string forms_of(const std::string& notes, const std::filesystem::path& fold
                                  folder.c_str(), "--body", "derivations/bodies"};
   std::ostringstream ignored;
   if (run(static_cast<int>(words.size()), words.data(), ignored, std::cerr) != 0) return "";
-  return taken_from(folder / (std::filesystem::path(notes).stem().string() + "-forms.md"), folder);
+  return taken_from(folder / (std::filesystem::path(notes).stem().string() + "-forms.md"));
 }
 
 /// The part of the page about kernels, from what `kernel_bench --into` wrote.
 std::string kernels(const std::string& kernel_bench, const std::filesystem::path& folder) {
   output_of(kernel_bench + " --into '" + folder.string() + "'");
-  return taken_from(folder / "kernels.md", folder);
+  return taken_from(folder / "kernels.md");
 }
 
 /// Table and picture of the notes' frequencies against the motion of all bodies.
@@ -81,8 +78,7 @@ std::string nature(const std::filesystem::path& folder) {
   constexpr std::array pushes{0.1, 0.03, 0.01, 0.003, 0.001};
   const auto measured = measure_stability(loaded.scene, bodies, loaded.reading.forms, 5.0, pushes);
   std::ofstream(folder / "stability.svg") << to_svg(stability_plot(measured));
-  return fmt::format("![error against push]({}/stability.svg)\n\n{}", folder.filename().string(),
-                     stability_table(measured));
+  return "![error against push](stability.svg)\n\n" + stability_table(measured);
 }
 
 constexpr const char* introduction =
@@ -108,9 +104,8 @@ in the push, so that the error falls as its square.
 
 )";
 
-int write(const std::filesystem::path& docs, const std::string& program_bench,
+int write(const std::filesystem::path& folder, const std::string& program_bench,
           const std::string& kernel_bench) {
-  const std::filesystem::path folder = docs / "accuracy";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   struct Part {
@@ -141,7 +136,7 @@ int write(const std::filesystem::path& docs, const std::string& program_bench,
     }
     page += fmt::format("## {}\n\n{}\n", part.heading, part.text);
   }
-  std::ofstream file(docs / "accuracy.md");
+  std::ofstream file(folder / "tables.md");
   file << page;
   return file.flush() ? 0 : 1;
 }
