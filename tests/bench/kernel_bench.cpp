@@ -26,6 +26,7 @@
 #include "numeric/lane/lane_kernels.h"
 #include "stability_cases.h"
 #include "torque_free_cases.h"
+#include "torque_free_step_cases.h"
 #include "validity_cases.h"
 
 namespace rigor {
@@ -33,8 +34,8 @@ namespace {
 
 std::vector<KernelRow> all_rows() {
   std::vector<KernelRow> rows;
-  for (const auto measure :
-       {moments_rows, stability_rows, mass_sums_rows, mesh_rows, torque_free_rows, validity_rows})
+  for (const auto measure : {moments_rows, stability_rows, mass_sums_rows, mesh_rows, torque_free_rows,
+                             torque_free_step_rows, validity_rows})
     for (KernelRow& row : measure()) rows.push_back(std::move(row));
   return rows;
 }

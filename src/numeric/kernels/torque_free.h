@@ -25,7 +25,7 @@
 
 #include "base/result.h"
 #include "numeric/kernels/position.h"
-#include "numeric/lane/free_spin.h"
+#include "numeric/lane/free_bodies.h"
 
 namespace rigor {
 

@@ -19,7 +19,7 @@
 
 #include "base/result.h"
 #include "numeric/kernels/position.h"
-#include "numeric/lane/free_attitude.h"
+#include "numeric/lane/free_bodies.h"
 
 namespace rigor {
 

@@ -12,7 +12,7 @@
 // 225 (2007) 145; R. Bulirsch, Numer. Math. 13 (1969) 305 (`cel`).
 #pragma once
 
-#include "numeric/lane/free_attitude.h"
+#include "numeric/lane/free_bodies.h"
 #include "numeric/lane/free_spin_lanes.h"
 #include "numeric/lane/torque_free_lanes.h"
 
@@ -36,6 +36,12 @@ struct Turn {
   T y{};
   T z{};
 };
+/// `q` first.
+template <class T>
+RIGOR_INLINE Turn<T> operator*(Turn<T> p, Turn<T> q) {
+  return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
+          p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
+}
 template <class T>
 RIGOR_INLINE Turn<T> unit(Turn<T> q) {
   const T inverse = 1 / root(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
@@ -133,9 +139,7 @@ RIGOR_INLINE void attitude_at(const FreeAttitude& at, T time, T* into) {
   }
   const Turn<T> p{all<T>(at.start[0]), all<T>(-at.start[1]), all<T>(-at.start[2]), all<T>(-at.start[3])};
   const Turn<T> q = turn_about_momentum<T>(at, t);
-  const Turn<T> r = unit(
-      Turn<T>{p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
-              p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w});
+  const Turn<T> r = unit(p * q);
   const T sign = with_sign(all<T>(1), r.w);
   into[0] = r.w * sign;
   into[1 + spin.axis[0]] = r.x * sign * spin.sign[0];

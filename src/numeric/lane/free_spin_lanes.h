@@ -5,7 +5,7 @@
 #pragma once
 
 #include "numeric/lane/elliptic_lanes.h"
-#include "numeric/lane/free_spin.h"
+#include "numeric/lane/free_bodies.h"
 
 namespace rigor::RIGOR_INSTRUCTION_SET {
 

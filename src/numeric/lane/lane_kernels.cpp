@@ -4,6 +4,7 @@
 
 #include "numeric/lane/free_attitude_lanes.h"
 #include "numeric/lane/free_spin_lanes.h"
+#include "numeric/lane/free_step_lanes.h"
 #include "numeric/lane/lanes.h"
 #include "numeric/lane/mesh_sums_lanes.h"
 #include "numeric/lane/moments_lanes.h"
@@ -40,6 +41,8 @@ const LaneKernels kernels = {
                       double* into) { attitude_at<double>(attitude, time, into); },
     .attitudes_at = [](const FreeAttitude& attitude, const double* times, std::size_t count,
                        double* into) { attitudes_at(attitude, times, count, into); },
+    .step_free_bodies = [](const FreeBodies& bodies,
+                           std::size_t* beyond) { return step_free_bodies(bodies, beyond); },
 };
 
 }  // namespace rigor::RIGOR_INSTRUCTION_SET

@@ -17,6 +17,7 @@ struct MomentsColumns;
 struct MomentsOfOne;
 struct FreeSpin;
 struct FreeAttitude;
+struct FreeBodies;
 
 struct LaneKernels {
   const char* instruction_set = "";  // baseline, x86_64_v3 (AVX2, FMA), x86_64_v4 (AVX-512)
@@ -44,6 +45,9 @@ struct LaneKernels {
   void (*attitude_at)(const FreeAttitude& attitude, double time, double* into) = nullptr;
   void (*attitudes_at)(const FreeAttitude& attitude, const double* times, std::size_t count,
                        double* into) = nullptr;
+
+  // torque_free_step.h
+  std::size_t (*step_free_bodies)(const FreeBodies& bodies, std::size_t* beyond) = nullptr;
 };
 
 /// Those that this program was built with and this machine can run, from the narrowest to the widest. Never

@@ -11,7 +11,7 @@
 
 #include "numeric/lane/elliptic_lanes.h"
 #include "numeric/lane/exact_terms.h"
-#include "numeric/lane/free_spin.h"
+#include "numeric/lane/free_bodies.h"
 
 namespace rigor::RIGOR_INSTRUCTION_SET {
 

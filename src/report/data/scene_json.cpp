@@ -24,6 +24,7 @@ Json json_of(const Motion& motion) {
           {"closed_form", motion.closed_form},
           {"steps", motion.steps},
           {"evaluations", motion.evaluations},
+          {"split_order", or_null(motion.split_order)},
           {"stopped", or_null(motion.stopped)}};
 }
 

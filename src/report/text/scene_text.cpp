@@ -92,6 +92,11 @@ std::string print_drift(const SceneDrift& drift) {
                      drift.in_space ? " in space" : "", drift.relative);
 }
 
+/// Half a kick, a free turn, half a kick.
+std::string split_order(const Motion& motion) {
+  return motion.split_order ? fmt::format(" (split, of order {:.2f})", *motion.split_order) : "";
+}
+
 std::string print_nodes(const SceneResult& result) {
   std::string text = "\ncomputed\n";
   double total = 0;
@@ -125,8 +130,8 @@ std::string print_scene(const SceneResult& result, const SceneTextOptions& optio
                         number(result.motion->times.empty() ? 0 : result.motion->times.back()),
                         result.motion->closed_form
                             ? "in closed form: the equations are a free rigid body's"
-                            : fmt::format("{} steps, {} evaluations of the rates", result.motion->steps,
-                                          result.motion->evaluations));
+                            : fmt::format("{} steps{}, {} evaluations of the rates", result.motion->steps,
+                                          split_order(*result.motion), result.motion->evaluations));
     for (const SceneDrift& drift : result.drifts) text += print_drift(drift);
   }
   if (options.explain) text += print_nodes(result);

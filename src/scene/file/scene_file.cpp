@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t most_asked = 200;
 constexpr std::size_t most_values = 200;
 constexpr std::int64_t most_rows = 100'000;
+constexpr std::int64_t most_split = 1'000;
 
 SceneText placed_text(TomlReader& reader, std::string_view key, std::string usual) {
   if (const auto text = reader.text(key)) return {*text, reader.span_of(key)};
@@ -158,6 +159,13 @@ std::optional<SceneMotion> read_motion(const TomlValue& table, Diagnostics& diag
     if (!(*tolerance >= 1e-15 && *tolerance <= 1e-2)) {
       report(diagnostics, DiagnosticKind::bad_scene, reader.span_of("tolerance"),
              fmt::format("`tolerance` is {:g}, but must be between 1e-15 and 0.01", *tolerance));
+    }
+  }
+  if (const auto split = reader.whole("split")) {
+    motion.split = static_cast<std::size_t>(std::clamp<std::int64_t>(*split, 1, most_split));
+    if (*split < 1 || *split > most_split) {
+      report(diagnostics, DiagnosticKind::bad_scene, reader.span_of("split"),
+             fmt::format("`split` is {}, but must be between 1 and {}", *split, most_split));
     }
   }
   reader.report_unknown();

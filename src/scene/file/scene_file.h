@@ -11,6 +11,7 @@
 //   [motion]                              # needed where something is asked over the time
 //   equations = "(22)"                    # tag or heading in the notes
 //   duration = "20 s"
+//   split = 20                            # steps a row, if it is to go in split steps: split_motion.h
 #pragma once
 
 #include <cstdint>
@@ -58,6 +59,7 @@ struct SceneMotion {
   double duration = 0;
   std::size_t rows = 501;
   double tolerance = 1e-10;
+  std::size_t split = 0;  // so many split steps from row to row; 0: steps are chosen by the tolerance
 };
 
 enum class SceneAskKind : std::uint8_t { quantity, over_time, principal_moments, principal_axes };

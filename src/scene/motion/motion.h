@@ -47,8 +47,9 @@ struct Motion {
   std::vector<Quaternion> orientations;  // one a row if asked for, else none
   std::size_t steps = 0;
   std::size_t evaluations = 0;
-  std::string stopped;       // why it ended before its time; empty: it did not
-  bool closed_form = false;  // no steps: see free_motion.h
+  std::string stopped;                     // why it ended before its time; empty: it did not
+  bool closed_form = false;                // no steps: see free_motion.h
+  std::optional<double> split_order = {};  // of steps that are split, as measured: see split_motion.h
 };
 
 /// Never hangs and never throws; a motion that stops has the rows until then. Values of the request that are

@@ -49,6 +49,7 @@ class SceneEvaluation {
   void add_to_law(const WrittenFormChain& chain, std::size_t step, std::set<SceneRole>& read);
   void make_law();
   void move();
+  [[nodiscard]] bool split(const SpinRates& rates, const MotionRequest& request);
 
   // scene_quantity.cpp
   void evaluate_one(Asked& asked);

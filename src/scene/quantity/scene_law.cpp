@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/motion/free_motion.h"
+#include "scene/motion/split_motion.h"
 #include "scene/quantity/scene_evaluation.h"
 
 namespace rigor {
@@ -76,6 +77,22 @@ void SceneEvaluation::make_law() {
   start_ = *spin;
 }
 
+/// False: that cannot be done.
+bool SceneEvaluation::split(const SpinRates& rates, const MotionRequest& request) {
+  const auto& sharp = body_.moments();
+  if (!values_.along_principal_axes() || !sharp) {
+    report(DiagnosticKind::bad_scene, scene_.motion->span,
+           "`split` needs a body with moments, and the spin along its principal axes",
+           "add `axes = \"principal\"` at the top");
+    return false;
+  }
+  const Position moments = {(*sharp)[0].high, (*sharp)[1].high, (*sharp)[2].high};
+  result_.motion = ledger_.compute(motion_node, "in split steps", [&] {
+    return split_motion(rates, moments, request, scene_.motion->split);
+  });
+  return true;
+}
+
 void SceneEvaluation::move() {
   const auto orientation = values_.orientation();
   if (!orientation) {
@@ -92,7 +109,8 @@ void SceneEvaluation::move() {
     if (std::isnan(found[0]) && fault.empty()) fault = ": " + law_of_spin_->fault_at(spin);
     return found;
   };
-  if (values_.along_principal_axes()) {
+  if (scene_.motion->split > 0 && !split(rates, request)) return;
+  if (!result_.motion && values_.along_principal_axes()) {
     const auto& sharp = body_.moments();
     if (sharp && high_parts_suffice(*sharp, request)) {
       const Position moments = {(*sharp)[0].high, (*sharp)[1].high, (*sharp)[2].high};

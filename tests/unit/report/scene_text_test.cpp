@@ -43,6 +43,12 @@ TEST_CASE("a scene is printed with units, rows and what stayed constant", "[scen
         "  \\mathbf{L}(t)           constant in space to 2.0e-13\n");
 }
 
+TEST_CASE("of split steps the measured order is printed", "[scene]") {
+  SceneResult result = example();
+  result.motion->split_order = 1.996;
+  CHECK(print_scene(result).find("7 steps (split, of order 2.00), 91 evaluations") != std::string::npos);
+}
+
 TEST_CASE("a bound is rounded up, stands beside all digits, and none is printed where none is known") {
   SceneResult result = example();
   result.quantities[0].value = {162.0 + 1 / 3.0};

@@ -142,6 +142,10 @@ TEST_CASE("what a scene cannot mean is a diagnostic at its place", "[scene file]
         "6: bad-scene: `rows` is 1, but must be between 2 and 100000\n");
   CHECK(ReadScene(head + "[motion]\nequations = \"(22)\"\nduration = 1\ntolerance = 1e-17\n" + ask)
             .messages() == "6: bad-scene: `tolerance` is 1e-17, but must be between 1e-15 and 0.01\n");
+  for (const std::string split : {"0", "1001"}) {
+    CHECK(ReadScene(head + "[motion]\nequations = \"(22)\"\nduration = 1\nsplit = " + split + "\n" + ask)
+              .messages() == "6: bad-scene: `split` is " + split + ", but must be between 1 and 1000\n");
+  }
 }
 
 }  // namespace
