@@ -177,15 +177,15 @@ MomentSolver kernel_one_by_one(bool axes) {
   return one_by_one<InertiaTensor>(
       axes ? "axes" : "moments", "kernel, single", [](const InertiaTensor& tensor) { return tensor; },
       [axes](const InertiaTensor& in, SolvedMoments& out) {
-        const auto take_moments = [&](const PrincipalMoments& from) {
-          out.moments = from.values();
+        const auto take_moments = [&](const RoundedMoments& from) {
+          out.moments = from.moments;
           out.gaps = {from.gap(1, 0), from.gap(2, 1), from.gap(2, 0)};
         };
         out = not_solved;
         if (axes) {
           const auto solved = principal_axes(in);
           if (!solved) return;
-          take_moments(solved->principal);
+          take_moments(solved->principal.rounded());
           out.axes = solved->axes;
         } else if (const auto solved = principal_moments(in)) {
           take_moments(*solved);

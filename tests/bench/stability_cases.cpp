@@ -64,7 +64,7 @@ std::array<double, 3> kernel_frequencies(const NearlySymmetricTop& top) {
   const auto sums = sharp_mass_sums(points);
   if (!sums) return {nan, nan, nan};
   const auto moments = principal_moments(sums->inertia);
-  return moments ? squared_stability_frequencies(*moments, 1) : std::array{nan, nan, nan};
+  return moments ? squared_stability_frequencies(moments->rounded(), 1) : std::array{nan, nan, nan};
 }
 
 template <class Compute>

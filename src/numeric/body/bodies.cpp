@@ -165,7 +165,7 @@ Result<Body> equimomental_body(std::string name, double mass, const SecondMoment
   if (const auto checked = check_mass(mass); !checked) return tl::unexpected(checked.error());
   const auto principal = principal_axes(second.moments);
   if (!principal) return tl::unexpected(principal.error());
-  const Position moments = principal->principal.values();
+  const Position moments = principal->principal.rounded().moments;
   const double least = std::ranges::min(moments);
   const double most = std::ranges::max(moments);
   if (least < -negative_rounding * most)

@@ -126,9 +126,9 @@ MomentsColumns columns_of_one(MomentsOfOne& one, bool sharp, bool with_axes) {
 /// The reason why there are no results, or null. Only what the kernel leaves takes the way of many tensors.
 template <class Tensor>
 const char* solve_one(const Tensor& tensor, bool with_axes, MomentsOfOne& one) {
-  for (const auto& row : tensor) {
-    for (const auto& entry : row) {
-      if (!is_finite(entry)) return "the inertia tensor is not finite";
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (!is_finite(tensor[i][j])) return "the inertia tensor is not finite";
     }
   }
   constexpr bool sharp = std::is_same_v<Tensor, SharpTensor>;
@@ -200,7 +200,7 @@ void check_columns(const MomentsColumns& c) {
 
 }  // namespace
 
-double PrincipalMoments::gap(std::size_t i, std::size_t j) const {
+double RoundedMoments::gap(std::size_t i, std::size_t j) const {
   RIGOR_CHECK(i < 3 && j < 3, i, j);
   if (i < j) return 0 - gap(j, i);
   double sum = 0;
@@ -208,8 +208,11 @@ double PrincipalMoments::gap(std::size_t i, std::size_t j) const {
   return sum;
 }
 
-Result<PrincipalMoments> principal_moments(const InertiaTensor& tensor) {
-  return result_of<PrincipalMoments>(tensor);
+Result<RoundedMoments> principal_moments(const InertiaTensor& tensor) {
+  RoundedMoments rounded;
+  if (lane_kernels().distinct_moments(tensor[0].data(), rounded.moments.data(), rounded.gaps.data()))
+    return rounded;
+  return result_of<PrincipalMoments>(tensor).map(&PrincipalMoments::rounded);
 }
 Result<PrincipalMoments> principal_moments(const SharpTensor& tensor) {
   return result_of<PrincipalMoments>(tensor);

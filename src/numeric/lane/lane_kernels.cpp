@@ -2,6 +2,7 @@
 // Compiled once for each instruction set, which CMakeLists.txt names.
 #include "numeric/lane/lane_kernels.h"
 
+#include "numeric/lane/distinct_moments_lanes.h"
 #include "numeric/lane/free_attitude_lanes.h"
 #include "numeric/lane/free_spin_lanes.h"
 #include "numeric/lane/free_step_lanes.h"
@@ -23,6 +24,7 @@ const LaneKernels kernels = {
     .mesh = mesh_kernels,
     .principal_moments = principal_moments_kernel,
     .principal_moments_of_one = principal_moments_of_one,
+    .distinct_moments = rounded_distinct_moments,
     .sum_points = sum_points,
     .sum_points_sharply = sum_points_sharply,
     .sample_points = sample_points,

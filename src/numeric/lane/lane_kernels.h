@@ -29,6 +29,8 @@ struct LaneKernels {
   // principal_moments.h
   void (*principal_moments)(const MomentsColumns&) = nullptr;
   void (*principal_moments_of_one)(MomentsOfOne&, bool sharp, bool with_axes) = nullptr;
+  /// By rows. False if they do not lie apart, or cannot be rounded: then the kernels above find them.
+  bool (*distinct_moments)(const double* tensor, double* moments, double* gaps) = nullptr;
 
   // mass_sums.h
   SumPoints sum_points = nullptr;

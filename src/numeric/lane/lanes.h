@@ -30,10 +30,6 @@ using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
 /// All bits of a lane set: true. None: false.
 using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
 
-/// Four parts of one problem, where registers hold four.
-using Quad = double __attribute__((vector_size(32)));
-using QuadMask = std::int64_t __attribute__((vector_size(32)));
-
 /// The comparison of two T, which `select` takes.
 template <class T>
 struct MaskOf;
@@ -113,6 +109,82 @@ RIGOR_INLINE double inverse_power(double x) {
   return x;
 }
 RIGOR_INLINE Lanes inverse_power(Lanes x) { return (Lanes)(0x7fe0000000000000 - (LaneMask)x); }
+
+/// Four parts of one problem at once: one register, or two where registers hold two doubles.
+#if RIGOR_LANES >= 4
+
+using Quad = double __attribute__((vector_size(32)));
+using QuadMask = std::int64_t __attribute__((vector_size(32)));
+
+/// The parts of these numbers, of a and then b, from 0 to 7.
+template <int i, int j, int k, int l>
+RIGOR_INLINE Quad parts(Quad a, Quad b) {
+  return __builtin_shufflevector(a, b, i, j, k, l);
+}
+#if RIGOR_LANES == 8
+RIGOR_INLINE Quad absolute(Quad x) { return (Quad)((QuadMask)x & INT64_MAX); }
+#endif
+RIGOR_INLINE Quad select(bool mask, Quad a, Quad b) {
+  return QuadMask{} - static_cast<std::int64_t>(mask) ? a : b;
+}
+RIGOR_INLINE bool in_all(QuadMask mask) { return (mask[0] & mask[1] & mask[2] & mask[3]) != 0; }
+
+#else
+
+struct QuadMask {
+  LaneMask low;
+  LaneMask high;
+};
+struct Quad {
+  Lanes low;
+  Lanes high;
+  RIGOR_INLINE double operator[](int i) const { return i < 2 ? low[i] : high[i - 2]; }
+};
+
+#define RIGOR_QUAD_OPERATOR(sign)                                                                    \
+  RIGOR_INLINE Quad operator sign(Quad a, Quad b) { return {a.low sign b.low, a.high sign b.high}; } \
+  RIGOR_INLINE Quad operator sign(double a, Quad b) { return {a sign b.low, a sign b.high}; }        \
+  RIGOR_INLINE Quad operator sign(Quad a, double b) { return {a.low sign b, a.high sign b}; }
+#define RIGOR_QUAD_COMPARISON(sign) \
+  RIGOR_INLINE QuadMask operator sign(Quad a, Quad b) { return {a.low sign b.low, a.high sign b.high}; }
+RIGOR_QUAD_OPERATOR(+)
+RIGOR_QUAD_OPERATOR(-)
+RIGOR_QUAD_OPERATOR(*)
+RIGOR_QUAD_OPERATOR(/)
+RIGOR_QUAD_COMPARISON(==)
+RIGOR_QUAD_COMPARISON(<=)
+RIGOR_QUAD_COMPARISON(>=)
+#undef RIGOR_QUAD_OPERATOR
+#undef RIGOR_QUAD_COMPARISON
+
+RIGOR_INLINE Quad operator-(Quad a) { return {-a.low, -a.high}; }
+RIGOR_INLINE QuadMask operator&(QuadMask a, QuadMask b) { return {a.low & b.low, a.high & b.high}; }
+
+template <int i, int j, int k, int l>
+RIGOR_INLINE Quad parts(Quad a, Quad b) {
+  const auto part = [&](int n) RIGOR_INLINE_LAMBDA { return n < 4 ? a[n] : b[n - 4]; };
+  return {Lanes{part(i), part(j)}, Lanes{part(k), part(l)}};
+}
+RIGOR_INLINE Quad absolute(Quad x) { return {absolute(x.low), absolute(x.high)}; }
+RIGOR_INLINE Quad select(bool mask, Quad a, Quad b) {
+  const LaneMask both = LaneMask{} - static_cast<std::int64_t>(mask);
+  return {select(both, a.low, b.low), select(both, a.high, b.high)};
+}
+RIGOR_INLINE bool in_all(QuadMask mask) {
+  const LaneMask both = mask.low & mask.high;
+  return (both[0] & both[1]) != 0;
+}
+
+#endif
+
+/// Of four numbers.
+RIGOR_INLINE Quad quad(double a, double b, double c, double d) {
+#if RIGOR_LANES >= 4
+  return Quad{a, b, c, d};
+#else
+  return {Lanes{a, b}, Lanes{c, d}};
+#endif
+}
 
 #ifdef __FMA__
 RIGOR_INLINE double fused(double a, double b, double c) { return __builtin_fma(a, b, c); }

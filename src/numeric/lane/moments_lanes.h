@@ -40,6 +40,8 @@ inline constexpr double good_beside = 0x1p-50;
 inline constexpr double nearly_diagonal = 0x1p-38;
 /// The same for S₀₁, of which the gap of the pair is made: 2^-49.8 was the most in 2e7 tensors of all kinds.
 inline constexpr double nearly_diagonal_pair = 0x1p-46;
+/// A gap above this is the difference of the eigenvalues; below, it is known better than these are.
+inline constexpr double close_gap = 0x1p-20;
 /// Of |q|⁴ − 1: 24 u, unless something underflowed.
 inline constexpr double most_excess = 0x1p-48;
 /// Entries of b below this are left out: an error of 2^-150, and no product of theirs underflows.
@@ -78,6 +80,13 @@ struct NearlyDiagonal {
 template <class T>
 RIGOR_INLINE T difference_of(DoubleDouble<T> a, DoubleDouble<T> b) {
   return (a.high - b.high) + (a.low - b.low);
+}
+
+/// The same, rounded once: `distinct_moments_lanes.h` finds these bits, too.
+template <class T>
+RIGOR_INLINE T rounded_difference(DoubleDouble<T> a, DoubleDouble<T> b) {
+  const DoubleDouble<T> high = exact_difference(a.high, b.high);
+  return high.high + (high.low + (a.low - b.low));
 }
 
 template <class T>
@@ -294,7 +303,8 @@ RIGOR_INLINE Eigensystem<T> eigensystem(const SymmetricTensor<T>& a, const Reduc
 
   const auto exchanged = d.difference > 0;
   const auto separate_first = d.values[2].high < d.values[0].high;
-  const T gap = absolute(d.difference);
+  const T gap = absolute(
+      select(absolute(d.difference) > close_gap, rounded_difference(d.values[0], d.values[1]), d.difference));
   auto small = all<T>(0) > 0;
   DoubleDouble<T> values[3];
   for (int k = 0; k < 3; ++k) {
@@ -307,8 +317,8 @@ RIGOR_INLINE Eigensystem<T> eigensystem(const SymmetricTensor<T>& a, const Reduc
   }
   const DoubleDouble<T> low = select(exchanged, values[1], values[0]);
   const DoubleDouble<T> high = select(exchanged, values[0], values[1]);
-  const T other =
-      absolute(difference_of(d.values[2], select(exchanged != separate_first, d.values[0], d.values[1])));
+  const T other = absolute(
+      rounded_difference(d.values[2], select(exchanged != separate_first, d.values[0], d.values[1])));
   Eigensystem<T> e;
   e.gaps[0] = select(separate_first, other, gap) * r.power;
   e.gaps[1] = select(separate_first, gap, other) * r.power;

@@ -42,14 +42,14 @@ RIGOR_INLINE T greatest_cubic_root(T r) {
                                      -0.016396215571246233,  0.012546952478520064,   -0.00931458308800107,
                                      0.00622126514021407,    -0.0034123422145577414, 0.001383040549366602,
                                      -0.0003582296360816274, 4.377029836177826e-05};
+  // In pairs, and pairs of pairs, which do not wait for each other.
   const T square = r * r;
-  T even = all<T>(coefficients[12]);
-  T odd = all<T>(coefficients[13]);
-  for (int k = 10; k >= 0; k -= 2) {
-    even = even * square + coefficients[k];
-    odd = odd * square + coefficients[k + 1];
-  }
-  return even + odd * r;
+  const T fourth = square * square;
+  T pairs[7];
+  for (int k = 0; k < 7; ++k) pairs[k] = coefficients[2 * k] + coefficients[2 * k + 1] * r;
+  T fours[3];
+  for (int k = 0; k < 3; ++k) fours[k] = pairs[2 * k] + pairs[2 * k + 1] * square;
+  return (fours[0] + fours[1] * fourth) + (fours[2] + pairs[6] * fourth) * (fourth * fourth);
 }
 
 /// The deviator of a tensor in plain doubles, and the eigenvector of the eigenvalue that is most separate
@@ -198,25 +198,23 @@ struct NearlyDiagonalTensor {
   T separate[2];
 };
 
-#if RIGOR_LANES >= 4
 /// Of one tensor: the same operations, three columns and the product of the first two at once.
 template <bool sharp>
 RIGOR_INLINE NearlyDiagonalTensor<double> transformed(const SymmetricTensor<double>& b,
                                                       const Rotation<double>& m) {
   using Both = DoubleDouble<Quad>;
   const auto of_columns = [&](int l) RIGOR_INLINE_LAMBDA {
-    return Both{Quad{m.column[0][l].high, m.column[1][l].high, m.column[2][l].high, m.column[0][l].high},
-                Quad{m.column[0][l].low, m.column[1][l].low, m.column[2][l].low, m.column[0][l].low}};
+    const auto& c = m.column;
+    return Both{quad(c[0][l].high, c[1][l].high, c[2][l].high, c[0][l].high),
+                quad(c[0][l].low, c[1][l].low, c[2][l].low, c[0][l].low)};
   };
   const auto everywhere = [](DoubleDouble<double> x) RIGOR_INLINE_LAMBDA {
     return Both{all<Quad>(x.high), all<Quad>(x.low)};
   };
-  const auto second_last = [](Quad x) RIGOR_INLINE_LAMBDA {
-    return __builtin_shuffle(x, QuadMask{0, 1, 2, 1});
-  };
   const Both left[3] = {of_columns(0), of_columns(1), of_columns(2)};
   Both right[3];
-  for (int l = 0; l < 3; ++l) right[l] = {second_last(left[l].high), second_last(left[l].low)};
+  for (int l = 0; l < 3; ++l)
+    right[l] = {parts<0, 1, 2, 1>(left[l].high, left[l].high), parts<0, 1, 2, 1>(left[l].low, left[l].low)};
   Both bm[3];
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -246,7 +244,6 @@ RIGOR_INLINE NearlyDiagonalTensor<double> transformed(const SymmetricTensor<doub
   }
   return s;
 }
-#endif
 
 template <bool sharp, class T>
 RIGOR_INLINE NearlyDiagonalTensor<T> transformed(const SymmetricTensor<T>& b, const Rotation<T>& m) {

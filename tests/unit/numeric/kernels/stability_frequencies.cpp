@@ -26,15 +26,14 @@ struct ScaledProduct {
 
 }  // namespace
 
-std::array<double, 3> squared_stability_frequencies(const PrincipalMoments& principal, double spin) {
-  const Position moments = principal.values();
+std::array<double, 3> squared_stability_frequencies(const RoundedMoments& principal, double spin) {
   std::array<double, 3> squares{};
   for (std::size_t i = 0; i < 3; ++i) {
     ScaledProduct square;
     for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3}) {
       square.multiply(spin);
       square.multiply(principal.gap(i, j));
-      square.divide(moments[j]);
+      square.divide(principal.moments[j]);
     }
     squares[i] = square.value();
   }

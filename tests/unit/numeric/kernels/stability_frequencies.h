@@ -17,7 +17,7 @@ namespace rigor {
 /// itself, whatever the gaps, because they are taken from `principal` and not from its moments; measured: 7
 /// u. A moment of 0 (a thin rod) gives infinity, or NaN where it is the axis of two equal ones. No product
 /// overflows where the result does not.
-[[nodiscard]] std::array<double, 3> squared_stability_frequencies(const PrincipalMoments& principal,
+[[nodiscard]] std::array<double, 3> squared_stability_frequencies(const RoundedMoments& principal,
                                                                   double spin);
 
 }  // namespace rigor
