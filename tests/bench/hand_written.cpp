@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Compiled once for each instruction set, and for this machine: see CMakeLists.txt.
 #include "hand_written.h"
 
 #include <algorithm>
 
-namespace rigor::bench {
+namespace rigor::bench::RIGOR_INSTRUCTION_SET {
+namespace {
 
 void cross_square(const Columns& a, const Columns& b, std::size_t samples, double* __restrict result) {
   for (std::size_t i = 0; i < samples; ++i) {
@@ -56,8 +58,6 @@ void energy_from_distance(const PointMasses& body, const Columns& w, std::size_t
     }
   }
 }
-
-namespace {
 
 /// Six sums in one pass; the compiler may not reorder them, so there are eight partial sums of each.
 [[nodiscard]] std::array<double, 6> inertia_of(const PointMasses& body) {
@@ -118,8 +118,6 @@ void euler_rates(const std::array<double, 3>& moments, const double* __restrict 
   }
 }
 
-}  // namespace
-
 void energy_from_inertia(const PointMasses& body, const Columns& w, std::size_t samples,
                          double* __restrict result) {
   const std::array<double, 6> t = inertia_of(body);
@@ -147,4 +145,15 @@ void euler_rates(const std::array<double, 3>& moments, const Columns& w, std::si
   euler_rates(moments, w[0], w[1], w[2], samples, result[0], result[1], result[2]);
 }
 
-}  // namespace rigor::bench
+}  // namespace
+
+extern const HandWritten loops;
+const HandWritten loops = {.cross_square = cross_square,
+                           .dot_squares = dot_squares,
+                           .energy_from_speed = energy_from_speed,
+                           .energy_from_distance = energy_from_distance,
+                           .energy_from_inertia = energy_from_inertia,
+                           .angular_momentum = angular_momentum,
+                           .euler_rates = euler_rates};
+
+}  // namespace rigor::bench::RIGOR_INSTRUCTION_SET

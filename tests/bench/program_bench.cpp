@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Programs beside what a programmer would write (hand_written.h), and beside GiNaC: nanoseconds a sample in
-// batches of 2,048, the least of many runs that take turns, in one process on the same data. Fails if a
-// program takes more than 1.5 times that of the hand-written loop, compiled for this machine, on the least
-// runs, if a compilation with the first value takes more than a thousandth of GiNaC's `compile_ex`, or if an
-// evaluation takes more than a thousandth of GiNaC's `subs` and `evalf`.
+// batches of 2,048, the least of many runs that take turns, in one process on the same data. Loops are
+// compiled for this machine, and for the instruction set that RIGOR_INSTRUCTION_SET holds programs to. Fails
+// if a program takes more than 1.5 times a loop of the same instruction set (of this machine, if programs are
+// not held to less) on the least runs, if a compilation with the first value takes more than a thousandth of
+// GiNaC's `compile_ex`, or if an evaluation takes more than a thousandth of GiNaC's `subs` and `evalf`.
 #include <fmt/format.h>
 #include <ginac/ginac.h>
 
@@ -19,6 +20,7 @@
 #include "bench_clock.h"
 #include "expr/build.h"
 #include "hand_written.h"
+#include "numeric/lane/lane_kernels.h"
 #include "numeric/measure/evaluate.h"
 #include "numeric/run/run_samples_parts.h"
 #include "numeric/run/runner.h"
@@ -87,37 +89,48 @@ struct Bench {
 
 struct Times {
   double program = 0.0;
-  double hand = 0.0;
+  double same = 0.0;    // the loop with the same instructions
+  double native = 0.0;  // and with all that the machine has
 };
 
-/// Both in turns; the results are compared.
-[[nodiscard]] Times measure(const Bench& bench, const Term& term,
-                            const std::function<void(double*)>& hand_written) {
+using Loop = std::function<void(const HandWritten& loops, double* results)>;
+
+[[nodiscard]] const HandWritten& loops_of_same_instructions() {
+  const LaneKernels& widest = *runnable_lane_kernels().back();
+  return &lane_kernels() == &widest ? native::loops : loops_for(lane_kernels().instruction_set);
+}
+
+/// All in turns; the results are compared.
+[[nodiscard]] Times measure(const Bench& bench, const Term& term, const Loop& hand_written) {
   const Program program = bench.compile(term);
   SampleEngine<double> engine(program, bench.data, Lanes::samples, {});
   const std::vector<double>& ours = engine.run();
   std::vector<double> theirs(samples * program.outputs());
   const auto run_program = [&] { engine.run(); };
-  const auto run_hand = [&] { hand_written(theirs.data()); };
+  const auto run_same = [&] { hand_written(loops_of_same_instructions(), theirs.data()); };
+  const auto run_native = [&] { hand_written(native::loops, theirs.data()); };
   const std::size_t program_repeats = repeats_of(run_program);
-  const std::size_t hand_repeats = repeats_of(run_hand);
-  Times least{1e300, 1e300};
+  const std::size_t same_repeats = repeats_of(run_same);
+  const std::size_t native_repeats = repeats_of(run_native);
+  Times least{1e300, 1e300, 1e300};
   for (int round = 0; round < rounds; ++round) {
     least.program = std::min(least.program, nanoseconds_of(run_program, program_repeats));
-    least.hand = std::min(least.hand, nanoseconds_of(run_hand, hand_repeats));
+    least.same = std::min(least.same, nanoseconds_of(run_same, same_repeats));
+    least.native = std::min(least.native, nanoseconds_of(run_native, native_repeats));
   }
   for (std::size_t i = 0; i < ours.size(); ++i) {
     if (std::abs(ours[i] - theirs[i]) > 1e-9 * std::abs(theirs[i]) + 1e-9)
       throw std::runtime_error("a program and the hand-written loop differ");
   }
-  return {least.program / samples, least.hand / samples};
+  return {least.program / samples, least.same / samples, least.native / samples};
 }
 
 class Table {
  public:
   void row(const std::string& name, const Times& times) {
-    const double ratio = times.program / times.hand;
-    fmt::print("{:<44}{:>12.2f}{:>14.2f}{:>9.2f}\n", name, times.program, times.hand, ratio);
+    const double ratio = times.program / times.same;
+    fmt::print("{:<50}{:>9.2f}{:>14.2f}{:>8.2f}{:>8.2f}\n", name, times.program, times.same, ratio,
+               times.program / times.native);
     good_ = good_ && ratio <= most_times_hand_written;
   }
   [[nodiscard]] bool good() const { return good_; }
@@ -127,15 +140,18 @@ class Table {
 };
 
 [[nodiscard]] bool beside_hand_written() {
-  fmt::print("{:<44}{:>12}{:>14}{:>9}\n", "ns a sample", "program", "hand-written", "ratio");
+  fmt::print("{:<50}{:>9}{:>14}{:>8}{:>8}\n", fmt::format("ns a sample, {}", lane_kernels().instruction_set),
+             "program", "hand-written", "ratio", "native");
   Table table;
   Bench one(0);
   const Columns a = one.columns(one.a);
   const Columns b = one.columns(one.b);
-  table.row("|AxB|^2", measure(one, squared(cross(one.a, one.b)),
-                               [&](double* out) { cross_square(a, b, samples, out); }));
-  table.row("A^2 B^2 - (A.B)^2", measure(one, squared(one.a) * squared(one.b) - pow(dot(one.a, one.b), 2),
-                                         [&](double* out) { dot_squares(a, b, samples, out); }));
+  table.row("|AxB|^2", measure(one, squared(cross(one.a, one.b)), [&](const HandWritten& loops, double* out) {
+              loops.cross_square(a, b, samples, out);
+            }));
+  table.row("A^2 B^2 - (A.B)^2",
+            measure(one, squared(one.a) * squared(one.b) - pow(dot(one.a, one.b), 2),
+                    [&](const HandWritten& loops, double* out) { loops.dot_squares(a, b, samples, out); }));
   const auto triple = [](double* out) {
     return std::array<double*, 3>{out, out + samples, out + 2 * samples};
   };
@@ -146,8 +162,9 @@ class Table {
   };
   std::array<double, 3> moments{};
   for (std::size_t i = 0; i < 3; ++i) moments[i] = one.data.find(one.moment[i].symbol, 0)->values[0];
-  table.row("Euler's equations", measure(one, tuple(rate(1), rate(2), rate(3)), [&](double* out) {
-              euler_rates(moments, one.columns(one.w), samples, triple(out));
+  table.row("Euler's equations",
+            measure(one, tuple(rate(1), rate(2), rate(3)), [&](const HandWritten& loops, double* out) {
+              loops.euler_rates(moments, one.columns(one.w), samples, triple(out));
             }));
   for (const std::size_t particles : {8u, 100u}) {
     Bench many(particles);
@@ -159,18 +176,25 @@ class Table {
     const Term half = many.page.number("1") / 2;
     table.row(of("T = 1/2 sum m |w x r|^2"),
               measure(many, half * over(many.alpha, m * squared(cross(many.w, v))),
-                      [&](double* out) { energy_from_speed(body, w, samples, out); }));
+                      [&](const HandWritten& loops, double* out) {
+                        loops.energy_from_speed(body, w, samples, out);
+                      }));
     const Term distance = squared(many.w) * squared(v) - pow(dot(many.w, v), 2);
-    table.row(of("T = 1/2 sum m (w^2 r^2 - (w.r)^2)"),
-              measure(many, half * over(many.alpha, m * distance),
-                      [&](double* out) { energy_from_distance(body, w, samples, out); }));
+    table.row(
+        of("T = 1/2 sum m (w^2 r^2 - (w.r)^2)"),
+        measure(many, half * over(many.alpha, m * distance), [&](const HandWritten& loops, double* out) {
+          loops.energy_from_distance(body, w, samples, out);
+        }));
     const Term quadratic = half * sum({many.i_, many.j_}, at(many.inertia, many.i_, many.j_) *
                                                               at(many.w, many.i_) * at(many.w, many.j_));
     table.row(of("T = 1/2 I_ij w_i w_j"),
-              measure(many, quadratic, [&](double* out) { energy_from_inertia(body, w, samples, out); }));
-    table.row(of("L = sum m r x (w x r)"),
-              measure(many, over(many.alpha, m * cross(v, cross(many.w, v))),
-                      [&](double* out) { angular_momentum(body, w, samples, triple(out)); }));
+              measure(many, quadratic, [&](const HandWritten& loops, double* out) {
+                loops.energy_from_inertia(body, w, samples, out);
+              }));
+    table.row(of("L = sum m r x (w x r)"), measure(many, over(many.alpha, m * cross(v, cross(many.w, v))),
+                                                   [&](const HandWritten& loops, double* out) {
+                                                     loops.angular_momentum(body, w, samples, triple(out));
+                                                   }));
   }
   return table.good();
 }
@@ -245,8 +269,9 @@ void in_a_loop() {
   const double evalf =
       least_nanoseconds([&] { theirs = GiNaC::ex_to<GiNaC::numeric>(square.subs(at).evalf()).to_double(); });
   const double compile_ex = compile_ex_time(square, names);
-  const Times batch = measure(
-      one, term, [&](double* out) { cross_square(one.columns(one.a), one.columns(one.b), samples, out); });
+  const Times batch = measure(one, term, [&](const HandWritten& loops, double* out) {
+    loops.cross_square(one.columns(one.a), one.columns(one.b), samples, out);
+  });
   fmt::print("\n|AxB|^2 beside GiNaC (values {} and {})\n", value, theirs);
   fmt::print("compile: {:.2f} us, with the first value {:.2f} us; compile_ex: {:.0f} us, {:.0f} times\n",
              compile / 1e3, first / 1e3, compile_ex / 1e3, compile_ex / first);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/program/run_fuse.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace rigor {
@@ -28,18 +29,61 @@ constexpr auto kernels_of = std::to_array<Kernel>({
 });
 static_assert(kernels_of.size() == static_cast<std::size_t>(Instruction::sum) + 1);
 
+/// What a step takes in, beside the value that it is for.
+class TakenIn {
+ public:
+  void add(ValueId value) { values_[count_++] = value; }
+  void set(std::span<std::uint8_t> taken_in) const {
+    for (std::size_t k = 0; k < count_; ++k) taken_in[values_[k]] = 1;
+  }
+
+ private:
+  std::array<ValueId, 32> values_{};
+  std::size_t count_ = 0;
+};
+
 class Fusion {
  public:
-  Fusion(const FusionScope& scope, ValueId value, std::span<std::uint8_t> taken_in)
-      : scope_(scope), value_(value), here_(scope.code->values[value]), taken_in_(taken_in) {}
+  Fusion(const FusionScope& scope, ValueId value)
+      : scope_(scope), value_(value), here_(scope.code->values[value]) {}
 
   [[nodiscard]] FusedStep step() {
+    if (const auto ended = with_ending()) return *ended;
     if (here_.op == Instruction::add || here_.op == Instruction::subtract) return sum();
     if (here_.op == Instruction::multiply) return product();
     return plain();
   }
+  [[nodiscard]] const TakenIn& taken_in() const { return taken_in_; }
 
  private:
+  /// −v, v f or v / f with the step of v, where v is computed for nothing else and f is narrow.
+  [[nodiscard]] std::optional<FusedStep> with_ending() {
+    const bool wide = scope_.wide[value_] != 0;
+    std::array<ValueId, 2> order{here_.a, here_.b};
+    std::size_t tried = here_.op == Instruction::multiply ? 2 : 1;
+    if (here_.op != Instruction::negate && here_.op != Instruction::divide && tried == 1) return std::nullopt;
+    for (; tried-- > 0; std::swap(order[0], order[1])) {
+      const auto [inner, factor] = order;
+      const bool negates = here_.op == Instruction::negate;
+      if (!scope_.is_private(inner, wide) || (!negates && (scope_.wide[factor] != 0 || factor == inner)))
+        continue;
+      Fusion of_inner(scope_, inner);
+      FusedStep step = of_inner.step();
+      if (negates) {
+        step.negated = !step.negated;
+      } else if (!step.factor) {
+        step.factor = factor;
+        if (here_.op == Instruction::divide) step.ending = Ending::divide;
+      } else {
+        continue;
+      }
+      taken_in_ = of_inner.taken_in();
+      taken_in_.add(inner);
+      return step;
+    }
+    return std::nullopt;
+  }
+
   [[nodiscard]] const Value& at(ValueId id) const { return scope_.code->values[id]; }
   [[nodiscard]] bool is_private(ValueId id, Instruction op) const {
     return scope_.is_private(id, op, scope_.wide[value_] != 0);
@@ -54,12 +98,12 @@ class Fusion {
     return {a, b};
   }
   void append_product(FusedStep& step, ValueId product) {
-    taken_in_[product] = 1;
+    taken_in_.add(product);
     for (const ValueId factor : factors(product)) step.in[step.operands++] = factor;
   }
 
   [[nodiscard]] FusedStep plain() const {
-    FusedStep step{kernels_of[static_cast<std::size_t>(here_.op)], 1, {here_.a}};
+    FusedStep step{.kernel = kernels_of[static_cast<std::size_t>(here_.op)], .operands = 1, .in = {here_.a}};
     if (!has_second_operand(here_.op)) return step;
     step.operands = 2;
     step.in[1] = here_.b;
@@ -69,7 +113,7 @@ class Fusion {
   }
 
   [[nodiscard]] FusedStep product() {
-    FusedStep step{Kernel::product_3, 0, {}};
+    FusedStep step{.kernel = Kernel::product_3};
     ValueId two = here_.a;
     ValueId third = here_.b;
     if (!is_private(two, Instruction::multiply)) std::swap(two, third);
@@ -81,11 +125,12 @@ class Fusion {
 
   [[nodiscard]] FusedStep sum() {
     FusedStep triples;
-    if (triple_chain(triples)) return triples;
+    if (quadratic_form(triples) || triple_chain(triples)) return triples;
     const bool minus = here_.op == Instruction::subtract;
     const bool first = is_private(here_.a, Instruction::multiply);
     const bool second = here_.a != here_.b && is_private(here_.b, Instruction::multiply);
     FusedStep step;
+    if (minus && less_square(step)) return step;
     if (first && second) {
       step.kernel = minus ? Kernel::product_difference : Kernel::product_sum;
       append_product(step, here_.a);
@@ -120,11 +165,54 @@ class Fusion {
     const ValueId b = at(product).b;
     return is_private(b, Instruction::multiply) ? b : at(product).a;
   }
-  void append_triple(FusedStep& step, ValueId triple) {
-    taken_in_[triple] = 1;
+  /// (a b) c; of a and b the wide one first.
+  [[nodiscard]] std::array<ValueId, 3> factors_of_triple(ValueId triple) const {
     const ValueId two = inner_of(triple);
-    append_product(step, two);
-    step.in[step.operands++] = at(triple).a == two ? at(triple).b : at(triple).a;
+    const auto [a, b] = factors(two);
+    return {a, b, at(triple).a == two ? at(triple).b : at(triple).a};
+  }
+  void append_triple(FusedStep& step, ValueId triple) {
+    taken_in_.add(triple);
+    taken_in_.add(inner_of(triple));
+    for (const ValueId factor : factors_of_triple(triple)) step.in[step.operands++] = factor;
+  }
+
+  [[nodiscard]] bool is_private_sum(ValueId id) const {
+    return is_private(id, Instruction::add) || is_private(id, Instruction::subtract);
+  }
+
+  /// All nine terms of a quadratic form, x_i a_ij x_j row by row, the a_ij narrow.
+  [[nodiscard]] bool quadratic_form(FusedStep& step) {
+    std::array<ValueId, 9> triple{};
+    std::array<ValueId, 8> sum{};
+    ValueId rest = value_;
+    for (std::size_t n = 8; n > 0; --n) {
+      if ((rest != value_ && !is_private_sum(rest)) || at(rest).a == at(rest).b) return false;
+      sum[n - 1] = rest;
+      triple[n] = at(rest).b;
+      rest = at(rest).a;
+    }
+    triple[0] = rest;
+    FusedStep form{.kernel = Kernel::quadratic_form_3, .operands = 12};
+    for (std::size_t n = 0; n < 9; ++n) {
+      if (!is_triple(triple[n])) return false;
+      const auto [x, entry, y] = factors_of_triple(triple[n]);
+      if (n % 4 == 0) form.in[n / 4] = y;
+      form.in[3 + n] = entry;
+      if (n > 0 && at(sum[n - 1]).op == Instruction::subtract)
+        form.minus = static_cast<std::uint16_t>(form.minus | 1u << n);
+    }
+    for (std::size_t n = 0; n < 9; ++n) {
+      const auto [x, entry, y] = factors_of_triple(triple[n]);
+      if (x != form.in[n / 3] || y != form.in[n % 3]) return false;
+    }
+    for (std::size_t n = 0; n < 9; ++n) {
+      taken_in_.add(triple[n]);
+      taken_in_.add(inner_of(triple[n]));
+      if (n > 0 && sum[n - 1] != value_) taken_in_.add(sum[n - 1]);
+    }
+    step = form;
+    return true;
   }
 
   /// The last three summands of a sum, if they are triples; `s` is what comes before them, if anything does.
@@ -133,10 +221,7 @@ class Fusion {
     std::array<ValueId, 3> sum{};
     std::size_t found = 0;
     ValueId rest = value_;
-    const auto is_sum = [this](ValueId id) {
-      return is_private(id, Instruction::add) || is_private(id, Instruction::subtract);
-    };
-    while (found < 3 && (rest == value_ || is_sum(rest)) && is_triple(at(rest).b) &&
+    while (found < 3 && (rest == value_ || is_private_sum(rest)) && is_triple(at(rest).b) &&
            at(rest).a != at(rest).b) {
       sum[found] = rest;
       triple[found++] = at(rest).b;
@@ -151,10 +236,10 @@ class Fusion {
       step.in[step.operands++] = rest;
     }
     for (std::size_t i = found; i-- > 0;) {
-      if (sum[i] != value_) taken_in_[sum[i]] = 1;
+      if (sum[i] != value_) taken_in_.add(sum[i]);
       const std::size_t place = begins ? 2 - i : found - 1 - i;
       if (at(sum[i]).op == Instruction::subtract)
-        step.minus = static_cast<std::uint8_t>(step.minus | 1u << place);
+        step.minus = static_cast<std::uint16_t>(step.minus | 1u << place);
       append_triple(step, triple[i]);
     }
     return true;
@@ -172,12 +257,80 @@ class Fusion {
       squares += is_square(each) ? 1 : 0;
     }
     if (scope_.wide[value_] && both_wide != 0 && both_wide != 3) return false;
-    taken_in_[two] = 1;
+    taken_in_.add(two);
     for (const ValueId each : product) append_product(step, each);
     step.kernel = Kernel::product_sum_3;
     if (squares != 3) return true;
     const std::array<ValueId, 3> squared{step.in[0], step.in[2], step.in[4]};
-    if (!cross_square(step, squared)) step = {Kernel::square_sum_3, 3, {squared[0], squared[1], squared[2]}};
+    if (!cross_square(step, squared))
+      step = {.kernel = Kernel::square_sum_3, .operands = 3, .in = {squared[0], squared[1], squared[2]}};
+    return true;
+  }
+
+  /// The three products of (a b + c d) + e f, where that is computed for nothing but its user, or for its
+  /// square alone.
+  [[nodiscard]] std::optional<std::array<ValueId, 3>> products_of(ValueId sum, bool for_square) const {
+    const bool wide = scope_.wide[value_] != 0;
+    const Value& outer = at(sum);
+    const bool is_own = for_square ? scope_.is_private_to_square(sum, Instruction::add, wide)
+                                   : scope_.is_private(sum, Instruction::add, wide);
+    if (!is_own || outer.a == outer.b || !is_private(outer.a, Instruction::add)) return std::nullopt;
+    const Value& inner = at(outer.a);
+    const std::array<ValueId, 3> products{inner.a, inner.b, outer.b};
+    for (const ValueId each : products)
+      if (!is_private(each, Instruction::multiply)) return std::nullopt;
+    if (inner.a == inner.b) return std::nullopt;
+    return products;
+  }
+
+  /// a b − c² for a sum c of three products, each of a wide factor and a narrow one, or of wide ones.
+  [[nodiscard]] bool less_square(FusedStep& step) {
+    const auto [left, square] = std::pair(here_.a, here_.b);
+    if (left == square || !is_private(left, Instruction::multiply) ||
+        !is_private(square, Instruction::multiply) || !is_square(square) || is_square(left))
+      return false;
+    const ValueId sum = at(square).a;
+    const auto products = products_of(sum, true);
+    if (!products) return false;
+    int both_wide = 0;
+    const std::array<ValueId, 4> all{left, (*products)[0], (*products)[1], (*products)[2]};
+    for (const ValueId each : all)
+      both_wide += scope_.wide[at(each).a] != 0 && scope_.wide[at(each).b] != 0 ? 1 : 0;
+    if (scope_.wide[value_] != 0 && both_wide != 0 && both_wide != 4) return false;
+    taken_in_.add(square);
+    taken_in_.add(sum);
+    taken_in_.add(at(sum).a);
+    for (const ValueId each : all) append_product(step, each);
+    step.kernel = Kernel::less_square;
+    if (gram(step)) step.kernel = Kernel::gram;
+    return true;
+  }
+
+  /// The same where a and b are the sums of the squares of what c is made of.
+  [[nodiscard]] bool gram(FusedStep& step) {
+    std::array<ValueId, 6> x{};
+    TakenIn taken = taken_in_;
+    for (std::size_t v = 0; v < 2; ++v) {
+      const ValueId sum = step.in[v];
+      const auto squares = products_of(sum, false);
+      if (!squares) return false;
+      taken.add(sum);
+      taken.add(at(sum).a);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const ValueId square = (*squares)[k];
+        if (!is_square(square)) return false;
+        taken.add(square);
+        x[3 * v + k] = at(square).a;
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::pair(step.in[2 + 2 * k], step.in[3 + 2 * k]);
+      if (!(a == x[k] && b == x[3 + k]) && !(b == x[k] && a == x[3 + k])) return false;
+      if (scope_.wide[value_] != 0 && (scope_.wide[a] == 0 || scope_.wide[b] == 0)) return false;
+    }
+    taken_in_ = taken;
+    step.operands = 6;
+    std::ranges::copy(x, step.in.begin());
     return true;
   }
 
@@ -210,8 +363,10 @@ class Fusion {
           f[0][3] != f[2][1] || f[1][1] != f[2][3])
         continue;
       for (std::size_t k = 0; k < 3; ++k)
-        taken_in_[squared[k]] = taken_in_[products[k][0]] = taken_in_[products[k][1]] = 1;
-      step = {Kernel::cross_square, 6, {f[0][0], f[0][2], f[1][2], f[0][1], f[0][3], f[1][1]}};
+        for (const ValueId each : {squared[k], products[k][0], products[k][1]}) taken_in_.add(each);
+      step = {.kernel = Kernel::cross_square,
+              .operands = 6,
+              .in = {f[0][0], f[0][2], f[1][2], f[0][1], f[0][3], f[1][1]}};
       return true;
     }
     return false;
@@ -220,13 +375,16 @@ class Fusion {
   const FusionScope& scope_;
   ValueId value_;
   const Value& here_;
-  std::span<std::uint8_t> taken_in_;
+  TakenIn taken_in_;
 };
 
 }  // namespace
 
 FusedStep fuse(const FusionScope& scope, ValueId value, std::span<std::uint8_t> taken_in) {
-  return Fusion(scope, value, taken_in).step();
+  Fusion fusion(scope, value);
+  const FusedStep step = fusion.step();
+  fusion.taken_in().set(taken_in);
+  return step;
 }
 
 }  // namespace rigor

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "numeric/program/run_plan.h"
@@ -15,7 +16,10 @@ struct FusedStep {
   Kernel kernel = Kernel::clear;
   std::uint8_t operands = 0;
   std::array<ValueId, most_operands> in{};
-  std::uint8_t minus = 0;
+  std::uint16_t minus = 0;
+  Ending ending = Ending::none;
+  std::optional<ValueId> factor = std::nullopt;
+  bool negated = false;
 };
 
 /// What the choice depends on.
@@ -33,6 +37,11 @@ struct FusionScope {
   /// The same of a value and its square, where the square is private.
   [[nodiscard]] bool is_private_to_square(ValueId value, Instruction op, bool user_is_wide) const {
     return is_used(value, op, user_is_wide, 2);
+  }
+  /// The same of any operation but a sum over particles.
+  [[nodiscard]] bool is_private(ValueId value, bool user_is_wide) const {
+    const Instruction op = code->values[value].op;
+    return has_operands(op) && op != Instruction::sum && is_private(value, op, user_is_wide);
   }
 
  private:

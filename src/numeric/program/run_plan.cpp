@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -116,13 +117,19 @@ class Planner {
     collect(level, demand, local);
     for (const ValueId id : local) taken_in_[id] = 0;
     const FusionScope scope{&code_, uses_, block_, wide_, block};
-    for (const ValueId total : totals) {
-      if (adds_product(scope, total)) taken_in_[at(total).a] = 1;
-    }
     std::vector<FusedStep> fused(local.size());
     for (std::size_t i = local.size(); i-- > 0;) {
       if (taken_in_[local[i]] == 0 && at(local[i]).op != Instruction::sum)
         fused[i] = fuse(scope, local[i], taken_in_);
+    }
+    // What is computed for a sum alone is added to it by its own step.
+    for (std::size_t i = 0; i < local.size(); ++i) {
+      const auto total = std::ranges::find(totals, local[i], [this](ValueId sum) { return at(sum).a; });
+      if (total == totals.end() || taken_in_[local[i]] != 0 || fused[i].ending != Ending::none ||
+          !scope.is_private(local[i], wide_[local[i]] != 0))
+        continue;
+      taken_in_[local[i]] = 1;
+      summands_.emplace(local[i], fused[i]);
     }
     for (std::size_t i = 0; i < local.size();) {
       const Value& first = at(local[i]);
@@ -167,9 +174,16 @@ class Planner {
     std::ranges::sort(local, [&](ValueId a, ValueId b) { return key(a) < key(b); });
   }
 
-  void emit_value(ValueId id, const FusedStep& fused) {
-    PlanStep step{.kernel = fused.kernel, .minus = fused.minus};
+  [[nodiscard]] PlanStep placed(const FusedStep& fused) {
+    PlanStep step{
+        .kernel = fused.kernel, .ending = fused.ending, .negated = fused.negated, .minus = fused.minus};
     for (std::size_t i = 0; i < fused.operands; ++i) add_operand(step, fused.in[i]);
+    if (fused.factor) step.factor = place_of(*fused.factor);
+    return step;
+  }
+
+  void emit_value(ValueId id, const FusedStep& fused) {
+    PlanStep step = placed(fused);
     if (wide_[id] != 0) step.wide |= wide_result;
     if (output_of_[id] != 0 && wide_[id] != 0) {
       written_[id] = 1;
@@ -183,15 +197,19 @@ class Planner {
 
   void emit_loop(int level, std::span<const ValueId> sums) {
     const bool over_lanes = lane_bit_ == 2u && level == 1;
-    std::vector<RegisterId> totals;
+    std::vector<SlotId> totals;
     std::vector<ValueId> bodies;
     for (const ValueId sum : sums) {
       const bool wide = over_lanes || wide_[sum] != 0;
-      totals.push_back(registers_.define(wide, steps_->size()));
       bodies.push_back(at(sum).a);
-      append({.kernel = Kernel::clear,
-              .wide = wide ? wide_result : std::uint16_t{0},
-              .out = place(PlaceKind::reg, totals.back())});
+      if (wide && !over_lanes && loops_.empty() && output_of_[sum] != 0) {
+        written_[sum] = 1;
+        totals.push_back(place(PlaceKind::output, output_of_[sum] - 1));
+      } else {
+        register_[sum] = registers_.define(wide, steps_->size());
+        totals.push_back(place(PlaceKind::reg, register_[sum]));
+      }
+      append({.kernel = Kernel::clear, .wide = wide ? wide_result : std::uint16_t{0}, .out = totals.back()});
     }
     const std::size_t loop = steps_->size();
     append({.kernel = Kernel::loop, .level = static_cast<std::uint8_t>(level), .over_lanes = over_lanes});
@@ -208,36 +226,25 @@ class Planner {
     opened.end = static_cast<std::uint32_t>(steps_->size());
     loops_.pop_back();
     registers_.close_loop(steps_->size());
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      register_[own[i]] = totals[i];
-      if (!over_lanes) continue;
-      registers_.use(totals[i], steps_->size());
+    for (std::size_t i = 0; i < own.size() && over_lanes; ++i) {
+      registers_.use(register_[own[i]], steps_->size());
       register_[own[i]] = registers_.define(false, steps_->size());
       append({.kernel = Kernel::fold,
               .wide = 1,
               .operands = 1,
               .out = place(PlaceKind::reg, register_[own[i]]),
-              .in = {place(PlaceKind::reg, totals[i])}});
+              .in = {totals[i]}});
     }
   }
 
-  void accumulate(ValueId sum, RegisterId total, bool over_lanes) {
-    const ValueId body = at(sum).a;
-    PlanStep step{.kernel = Kernel::accumulate, .over_lanes = over_lanes};
-    const bool product = at(body).op == Instruction::multiply && taken_in_[body] != 0 && uses_[body] == 1 &&
-                         block_[body] != 0 && home_level(masks_[body]) == loops_.back().level;
-    if (product) {
-      step.kernel = Kernel::accumulate_product;
-      ValueId a = at(body).a;
-      ValueId b = at(body).b;
-      if (wide_[b] != 0 && wide_[a] == 0) std::swap(a, b);
-      add_operand(step, a);
-      add_operand(step, b);
-    } else {
-      add_operand(step, body);
-    }
-    registers_.use(total, steps_->size());
-    step.out = place(PlaceKind::reg, total);
+  void accumulate(ValueId sum, SlotId total, bool over_lanes) {
+    const auto own = summands_.find(at(sum).a);
+    PlanStep step =
+        placed(own != summands_.end() ? own->second
+                                      : FusedStep{.kernel = Kernel::copy, .operands = 1, .in = {at(sum).a}});
+    step.ending = Ending::add;
+    step.out = total;
+    if (written_[sum] == 0) registers_.use(register_[sum], steps_->size());
     if (over_lanes || wide_[sum] != 0) step.wide |= wide_result;
     append(step);
   }
@@ -252,11 +259,6 @@ class Planner {
       if (plan_.lanes == Lanes::samples) step.wide |= wide_result;
       append(step);
     }
-  }
-
-  /// Is the summand a product that the sum's own step can compute?
-  [[nodiscard]] bool adds_product(const FusionScope& scope, ValueId total) const {
-    return scope.is_private(at(total).a, Instruction::multiply, wide_[at(total).a] != 0);
   }
 
   [[nodiscard]] SlotId place_of(ValueId id) {
@@ -292,15 +294,16 @@ class Planner {
   const Code& code_;
   Plan plan_;
   Registers registers_;
-  std::vector<std::uint8_t> masks_;       // by value: levels, and bit 0 if it varies from sample to sample
-  std::vector<std::uint32_t> uses_;       // by value
-  std::vector<std::uint32_t> block_;      // by value: where it was collected
-  std::vector<std::uint32_t> visited_;    // by value: for which block
-  std::vector<std::uint8_t> wide_;        // by value, in this phase
-  std::vector<std::uint8_t> taken_in_;    // by value
-  std::vector<RegisterId> register_;      // by value
-  std::vector<std::uint32_t> output_of_;  // by value: an output that it can be written to directly, plus 1
-  std::vector<std::uint8_t> written_;     // by value: it was
+  std::vector<std::uint8_t> masks_;        // by value: levels, and bit 0 if it varies from sample to sample
+  std::vector<std::uint32_t> uses_;        // by value
+  std::vector<std::uint32_t> block_;       // by value: where it was collected
+  std::vector<std::uint32_t> visited_;     // by value: for which block
+  std::vector<std::uint8_t> wide_;         // by value, in this phase
+  std::vector<std::uint8_t> taken_in_;     // by value
+  std::vector<RegisterId> register_;       // by value
+  std::vector<std::uint32_t> output_of_;   // by value: an output that it can be written to directly, plus 1
+  std::vector<std::uint8_t> written_;      // by value: it was
+  std::map<ValueId, FusedStep> summands_;  // what is computed in the step that adds it to its sum
   std::vector<OpenLoop> loops_;
   std::vector<std::uint32_t>* root_inputs_ = nullptr;
   std::vector<PlanStep>* steps_ = nullptr;

@@ -3,7 +3,7 @@
 // samples, or particles of the loops at level 1 (for a few samples with many particles). What depends on no
 // sample is computed once, with lanes of particles, before all samples. A value is computed in the outermost
 // loop in which its operands are known; sums at one level that do not wait for each other share a loop.
-// Up to eleven operations become one step where the first one's result has no other use: no rounding is left
+// Up to thirty operations become one step where the first one's result has no other use: no rounding is left
 // out or moved. A register is free again after its last use.
 #pragma once
 
@@ -41,32 +41,40 @@ enum class Kernel : std::uint8_t {
   product_sum_3,       // (a b + c d) + e f
   square_sum_3,        // (a a + b b) + c c
   cross_square,        // ((a d − b e)² + (b f − c d)²) + (c e − a f)²
+  gram,                // ((a a + b b) + c c) ((d d + e e) + f f) − ((a d + b e) + c f)²
+  less_square,         // a b − ((c d + e f) + g h)²
   product_3,           // (a b) c
   triple_sum_3,        // ((a b) c ± (d e) f) ± (g h) i
   add_triple_sum_3,    // ((s ± (a b) c) ± (d e) f) ± (g h) i
-  accumulate,          // out + a
-  accumulate_product,  // out + a b
-  fold,                // the sum of the lanes of a
-  loop,                // the steps up to `end`, for all particles
+  quadratic_form_3,  // of (a, b, c) with nine narrow entries d, …: (a d) a ± (a e) b ± …, one after the other
+  fold,              // the sum of the lanes of a
+  loop,              // the steps up to `end`, for all particles
 };
 
 /// Where an operand is: a slot holds a pointer to one number (narrow) or to one for each lane (wide).
 using SlotId = std::uint32_t;
 
-inline constexpr std::size_t most_operands = 10;
+inline constexpr std::size_t most_operands = 12;
 inline constexpr std::uint16_t wide_result = 0x8000;
+inline constexpr SlotId no_slot = ~SlotId{0};
+
+/// What a step does with its value v at last: v f, v / f, out + v f, where f is narrow, or 1 without a slot.
+enum class Ending : std::uint8_t { none, divide, add };
 
 struct PlanStep {
   Kernel kernel = Kernel::clear;
+  Ending ending = Ending::none;
+  bool negated = false;    // −f for f
   std::uint16_t wide = 0;  // bit k: operand k is wide; bit 15: so is the result
   std::uint8_t operands = 0;
-  std::uint8_t minus = 0;    // triples: bit k: triple k is subtracted
+  std::uint16_t minus = 0;   // triples: bit k: triple k is subtracted
   std::uint8_t level = 0;    // loop
-  bool over_lanes = false;   // loop: takes as many particles at a time as there are lanes; or a step of one
+  bool over_lanes = false;   // loop: takes as many particles at a time as there are lanes
   std::uint32_t end = 0;     // loop: the step after it
   std::uint32_t inputs = 0;  // loop: into Plan::loop_inputs
   std::uint32_t input_count = 0;
   SlotId out = 0;
+  SlotId factor = no_slot;
   std::array<SlotId, most_operands> in{};
 };
 

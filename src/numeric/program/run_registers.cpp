@@ -82,6 +82,7 @@ void Registers::settle(Plan& plan) const {
     for (PlanStep& step : *steps) {
       if (step.kernel == Kernel::loop) continue;
       step.out = final_slot(step.out);
+      if (step.factor != no_slot) step.factor = final_slot(step.factor);
       for (std::size_t i = 0; i < step.operands; ++i) step.in[i] = final_slot(step.in[i]);
     }
   }

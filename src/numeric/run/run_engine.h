@@ -27,11 +27,13 @@ inline constexpr std::size_t cache_line = 64;  // which no load of the widest la
 template <class T>
 inline constexpr std::size_t numbers_in_a_line = NumberTraits<T>::has_lanes ? cache_line / sizeof(T) : 0;
 
-/// Can all results be written as packets?
-template <class T>
-[[nodiscard]] bool is_aligned(const T* results, std::size_t stride) {
-  constexpr std::size_t packet = 16;
-  return reinterpret_cast<std::uintptr_t>(results) % packet == 0 && stride * sizeof(T) % packet == 0;
+/// How many samples of doubles are taken at once: many, because each run of a step costs its call, and few
+/// enough for so many slots to stay in the nearest cache. No result depends on it.
+[[nodiscard]] inline std::size_t fitting_samples(std::size_t slots) {
+  constexpr std::size_t numbers_in_cache = 3072;  // of 4,096
+  constexpr std::size_t most = 512;
+  const std::size_t fitting = numbers_in_cache / std::max<std::size_t>(slots, 1);
+  return std::clamp<std::size_t>(fitting / 64 * 64, lane_count, most);
 }
 
 template <class T>
@@ -43,10 +45,14 @@ class Engine {
         inputs_(code.inputs.size()),
         free_(code.free_particles.size(), 0),
         slots_(plan_.slots(), nullptr) {
-    constexpr std::size_t width = lane_count;
     std::size_t buffers = plan_.lanes == Lanes::samples ? plan_.outputs : 0;
     for (const PlanInput& input : plan_.inputs) buffers += input.wide ? 1 : 0;
     const std::size_t narrow = plan_.narrow_registers + plan_.constants.size();
+    if (std::is_same_v<T, double> && plan_.lanes == Lanes::samples)
+      samples_at_once_ = fitting_samples(registers_of_samples() + buffers);
+    // A cache line more, so that slots are not whole pages apart: a store would delay loads at its place in
+    // them.
+    const std::size_t width = samples_at_once_ + numbers_in_a_line<T>;
     numbers_.assign((plan_.wide_registers + buffers) * width + narrow + numbers_in_a_line<T>, T(0));
     T* next = numbers_.data();
     while (reinterpret_cast<std::uintptr_t>(next) % cache_line != 0 &&
@@ -92,13 +98,14 @@ class Engine {
   /// What depends on no sample. To be called before `run`, and again when an input of it has changed.
   void run_once() {
     sample_ = 0;
+    lanes_here_ = lane_count;
     set_inputs(plan_.once_inputs);
     execute(plan_.once, once_, 0, plan_.once.size());
   }
 
   /// results[output · stride + sample] for so many samples.
   void run(std::size_t samples, T* results, std::size_t stride) {
-    const std::size_t width = plan_.lanes == Lanes::samples ? lane_count : 1;
+    const std::size_t width = plan_.lanes == Lanes::samples ? samples_at_once_ : 1;
     for (sample_ = 0; sample_ < samples; sample_ += width)
       run_batch(std::min(width, samples - sample_), results + sample_, stride);
   }
@@ -107,6 +114,7 @@ class Engine {
   /// `run_point` as often as the numbers that inputs are bound to change.
   void prepare_point() {
     sample_ = 0;
+    lanes_here_ = lane_count;
     set_inputs(plan_.each_inputs);
   }
 
@@ -117,10 +125,17 @@ class Engine {
   }
 
  private:
+  /// Wide registers that are used for each batch.
+  [[nodiscard]] std::size_t registers_of_samples() const {
+    std::vector<bool> used(plan_.wide_registers);
+    for (const PlanStep& step : plan_.each)
+      if ((step.wide & wide_result) != 0 && step.out < used.size()) used[step.out] = true;
+    return static_cast<std::size_t>(std::ranges::count(used, true));
+  }
+
   void run_batch(std::size_t samples, T* results, std::size_t stride) {
-    samples_here_ = static_cast<int>(samples);
-    const bool buffered = plan_.lanes == Lanes::samples &&
-                          (samples < static_cast<std::size_t>(lane_count) || !is_aligned(results, stride));
+    lanes_here_ = plan_.lanes == Lanes::samples ? static_cast<int>(samples) : lane_count;
+    const bool buffered = plan_.lanes == Lanes::samples && lanes_here_ % lane_step != 0;
     T** const outputs = slots_.data() + plan_.first_output();
     for (std::size_t i = 0; i < plan_.outputs; ++i)
       outputs[i] = buffered ? buffers_[plan_.inputs.size() + i] : results + i * stride;
@@ -139,7 +154,7 @@ class Engine {
         loop(steps, functions, at);
         at = step.end - 1;
       } else {
-        functions[at](slots, step, particles_here_);
+        functions[at](slots, step, lanes_here_);
       }
     }
   }
@@ -149,12 +164,14 @@ class Engine {
     const PlanStep& step = steps[at];
     const auto inputs = std::span(plan_.loop_inputs).subspan(step.inputs, step.input_count);
     const std::size_t width = step.over_lanes ? lane_count : 1;
+    const int lanes_outside = lanes_here_;
     for (std::size_t particle = 0; particle < particles_; particle += width) {
       particle_[step.level] = particle;
-      if (step.over_lanes) particles_here_ = static_cast<int>(std::min(width, particles_ - particle));
+      if (step.over_lanes) lanes_here_ = static_cast<int>(std::min(width, particles_ - particle));
       set_inputs(inputs);
       execute(steps, functions, at + 1, step.end);
     }
+    lanes_here_ = lanes_outside;
   }
 
   void set_inputs(std::span<const std::uint32_t> which) {
@@ -176,14 +193,14 @@ class Engine {
                                : from.data + sample_ * from.sample_stride + particle * from.particle_stride;
     T*& slot = slots_[plan_.first_input() + which];
     const std::size_t stride = input.lanes_are_particles ? from.particle_stride : from.sample_stride;
-    const int count = input.lanes_are_particles ? particles_here_ : samples_here_;
-    if (!input.wide || (stride == 1 && count == lane_count)) {
+    const int count = lanes_here_;
+    if (!input.wide || (stride == 1 && count % lane_step == 0)) {
       slot = const_cast<T*>(first);  // operands are only read
       return;
     }
     slot = buffers_[which];
     for (int i = 0; i < count; ++i) slot[i] = first[static_cast<std::size_t>(i) * stride];
-    for (int i = count; i < lane_count; ++i) slot[i] = T(0);
+    for (int i = count; i % lane_step != 0; ++i) slot[i] = T(0);
   }
 
   /// Some particles' numbers, from one that begins lanes on.
@@ -215,8 +232,8 @@ class Engine {
   std::vector<Window> windows_;  // by input of the plan; empty if none is needed
   std::size_t sample_ = 0;
   std::size_t particle_[deepest_level + 1] = {};
-  int samples_here_ = 1;    // of the batch
-  int particles_here_ = 0;  // of a loop over lanes
+  std::size_t samples_at_once_ = lane_count;
+  int lanes_here_ = lane_count;  // that count: samples of the batch, or particles of a loop over lanes
 };
 
 }  // namespace rigor

@@ -9,11 +9,15 @@
 
 namespace rigor {
 
-/// How many samples or particles a wide slot holds. So that results do not depend on the instruction set, it
+/// How many particles a wide slot holds. So that the order of sums does not depend on the instruction set, it
 /// is the same in all.
 inline constexpr int lane_count = 128;
+/// As many lanes are computed at least, so that no instruction set leaves other numbers than another in lanes
+/// that do not count.
+inline constexpr int lane_step = 8;
 
-/// `lanes`: how many of them count, in steps over lanes.
+/// `lanes`: how many of them count; the others, up to a multiple of `lane_step`, may be computed, too, but
+/// are not added to.
 template <class T>
 using StepFunction = void (*)(T* const* slots, const PlanStep& step, int lanes);
 

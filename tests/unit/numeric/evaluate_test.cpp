@@ -170,7 +170,7 @@ TEST_CASE("the low part of a value counts in arithmetic that has room for it", "
 }
 
 TEST_CASE("a batch of any size gives what single samples give, bit for bit", "[numeric]") {
-  for (const std::size_t samples : {0u, 1u, 63u, 64u, 65u, 127u, 128u, 129u, 300u}) {
+  for (const std::size_t samples : {0u, 1u, 63u, 64u, 65u, 127u, 128u, 129u, 1100u}) {
     Spinning spinning(samples, 5);
     const Program program = compiled(spinning.page, spinning.energy);
     for (const Arithmetic arithmetic : all_arithmetics) {
@@ -260,6 +260,42 @@ TEST_CASE("fused steps round as separate ones do", "[numeric]") {
         here.set(forms.page.vectors_of[0].symbol, i, 0.7 - 0.4 * static_cast<double>(i));
       const std::vector<double> values = evaluate(program, here);
       CHECK(same_bits_or_nan(values, one_by_one(program, here)));
+    }
+  }
+}
+
+TEST_CASE("large fused steps round as separate ones do, whatever is the same for all samples", "[numeric]") {
+  Page page;
+  const std::array<Named, 2> v{page.vector("A"), page.vector("B")};
+  const Named s = page.tensor("S");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  const Term form = sum({i, j}, at(s, i, j) * at(v[0], i) * at(v[0], j));
+  const std::array<Term, 7> terms{squared(v[0]) * squared(v[1]) - pow(dot(v[0], v[1]), 2),
+                                  at(s, 1, 1) * at(v[0], 1) - pow(dot(v[0], v[1]), 2),
+                                  form,
+                                  -form / 3,
+                                  -(at(v[0], 1) * at(s, 1, 2)) * at(s, 2, 1) / at(s, 3, 3),
+                                  -dot(v[0], v[1]) * at(s, 1, 1) - at(s, 1, 2) * dot(cross(v[0], v[1]), v[0]),
+                                  squared(cross(v[0], v[1])) / at(s, 2, 2)};
+  Numbers numbers;
+  for (const std::size_t count : {130u, 1100u}) {
+    for (const unsigned varying : {0b111u, 0b011u, 0b001u, 0b010u, 0b100u}) {
+      Samples samples(count, 0);
+      const auto set = [&](const Named& each, std::uint32_t components, bool varies) {
+        for (std::uint32_t k = 0; k < components; ++k) {
+          if (varies)
+            samples.set_each(each.symbol, k, numbers(count));
+          else
+            samples.set(each.symbol, k, numbers(1)[0]);
+        }
+      };
+      for (unsigned k = 0; k < 2; ++k) set(v[k], 3, (varying >> k & 1u) != 0);
+      set(s, 9, (varying >> 2 & 1u) != 0);
+      for (const Term& term : terms) {
+        const Program program = compiled(page, term);
+        CHECK(same_bits_or_nan(evaluate(program, samples), one_by_one(program, samples)));
+      }
     }
   }
 }

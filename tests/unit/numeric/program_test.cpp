@@ -337,6 +337,38 @@ TEST_CASE("the square of a cross product is one step, whichever vector is the sa
   }
 }
 
+TEST_CASE("factors, signs and sums at the end of a step take no step of their own", "[numeric]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named s = page.symmetric("S");
+  const Named m = page.scalars("m");
+  const Named r = page.vectors("r");
+  const ParticleId alpha = page.particle("\\alpha");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  const auto steps = [&](const Term& term) {
+    const Program program = compiled(page, term);
+    std::vector<std::uint8_t> varies;
+    for (const ProgramInput& input : program.inputs())
+      varies.push_back(input.symbol == a.symbol || input.symbol == b.symbol ? 1 : 0);
+    std::vector<Kernel> kernels;
+    for (const PlanStep& step : make_plan(program.code(), Lanes::samples, varies).each)
+      kernels.push_back(step.kernel);
+    return kernels;
+  };
+  using Kernels = std::vector<Kernel>;
+  CHECK(steps(squared(a) * squared(b) - pow(dot(a, b), 2)) == Kernels{Kernel::gram});
+  CHECK(steps(-(at(a, 1) + at(b, 1)) / at(s, 1, 2)) == Kernels{Kernel::add});
+  CHECK(steps(sum({i, j}, at(s, i, j) * at(a, i) * at(a, j)) / 2) == Kernels{Kernel::quadratic_form_3});
+  CHECK(steps(over(alpha, m(alpha) * squared(cross(a, r(alpha))))) ==
+        Kernels{Kernel::clear, Kernel::loop, Kernel::cross_square});
+  // r² comes first: it is the same for all samples.
+  CHECK(
+      steps(over(alpha, m(alpha) * (squared(a) * squared(r(alpha)) - pow(dot(a, r(alpha)), 2)))) ==
+      Kernels{Kernel::square_sum_3, Kernel::clear, Kernel::loop, Kernel::square_sum_3, Kernel::less_square});
+}
+
 TEST_CASE("a program asks only for the inputs that its results depend on", "[numeric]") {
   Page page;
   const Named a = page.vector("A");
