@@ -263,11 +263,12 @@ Result<MeshMoments> mesh_moments(std::span<const Position> vertices, Triangles t
     sum(true);
     moments = scaled_moments(totals);
   }
-  // |D| ≤ 6, each wrong by 2^-99; 16 of a lane are added with 16² 2^-106 of their sizes, the sums of those
-  // and at last the lanes with 3 · 2^-106 of all sizes each, N/128 + 8 times. Below 6 N (2^-97 + N 2^-106)
-  // together.
+  // Each D is wrong by 2^-99 at most. 16 of a lane are added with 16² 2^-106 of their sizes, the sums of
+  // those and at last the lanes with 3 · 2^-106 of all sizes each, N/128 + 8 times; one by one, N/8 + 8
+  // times.
   const auto count = static_cast<double>(triangles.size());
-  const double rounding = 6 * count * (0x1p-97 + count * 0x1p-106);
+  const double sizes = totals.sizes * (1 + 0x1p-20) + count * 0x1p-99;
+  const double rounding = count * mesh_flat + sizes * (0x1p-97 + count * 0x1p-106);
   for (const Axis& axis : axes)
     if (!axis.has_extent) return refuse("the mesh encloses no volume");
   if (std::abs(totals.volume[0]) <= rounding) return refuse("the mesh encloses no volume");

@@ -59,9 +59,9 @@ enum class MeshSharpness { if_needed, always };
 /// for the coordinates as they are, at distances up to 1e12 and thicknesses down to 1e-8, measured by
 /// mesh_sums_test for surfaces of one part: volume 0.9 u; centre 1 u of each coordinate or of √(ii); second
 /// moment ij 3 u √(ii jj): 1.2 u on most, 1.7 u on small ellipsoids of unlike axes. Sharp: `errors`, proved
-/// in mesh_sums.cpp; some N 2^-97 of the volume of the mesh's box over V. Parts that are small compared with
+/// in mesh_sums.cpp; some N 2^-99 of the volume of the mesh's box over V. Parts that are small compared with
 /// the box are lost in it: `mesh_parts.h` takes each by itself. Fails where a corner is no vertex, a
-/// coordinate is not finite, the volume cannot be told from 0 (below 1e-24 of the box's volume for 1e4
+/// coordinate is not finite, the volume cannot be told from 0 (below 1e-26 of the box's volume for 1e4
 /// triangles), a second moment ii is known to less than 2^-26 of itself or not positive (a surface through
 /// itself, or one of several inside out), or something overflows.
 [[nodiscard]] Result<MeshMoments> mesh_moments(std::span<const Position> vertices,

@@ -79,6 +79,7 @@ RIGOR_INLINE DoubleDouble<Lanes> six_volumes(const MeshCorners& corners) {
 /// Plain sums over at most `mesh_block` triangles a lane, to be added to compensated ones.
 struct MeshBlock {
   CompensatedSum<Lanes> volume{};
+  Lanes sizes{};
   Lanes first[3]{};
   Lanes second[6]{};
   Lanes size[3]{};
@@ -88,6 +89,7 @@ struct MeshBlock {
     const DoubleDouble<Lanes> six = six_volumes(corners);
     volume.add(six);
     const Lanes d = six.high;
+    sizes += absolute(d);
     flat += absolute(d) <= mesh_flat;
     const Lanes* const a = corners.at[0];
     const Lanes* const b = corners.at[1];
@@ -109,6 +111,7 @@ struct MeshBlock {
 /// Sums in double-double in every lane.
 struct MeshLanes {
   DoubleDouble<Lanes> volume{};
+  Lanes sizes{};
   DoubleDouble<Lanes> first[3]{};
   DoubleDouble<Lanes> second[6]{};
   DoubleDouble<Lanes> size[3]{};
@@ -116,6 +119,7 @@ struct MeshLanes {
 
   RIGOR_INLINE void add(const MeshBlock& block) {
     volume = volume + block.volume.value();
+    sizes += block.sizes;
     for (int i = 0; i < 3; ++i) first[i] = first[i] + block.first[i];
     for (int ij = 0; ij < 6; ++ij) second[ij] = second[ij] + block.second[ij];
     for (int i = 0; i < 3; ++i) size[i] = size[i] + block.size[i];
@@ -126,6 +130,7 @@ struct MeshLanes {
   RIGOR_INLINE void add(const MeshCorners& corners) {
     const DoubleDouble<Lanes> d = six_volumes(corners);
     volume = volume + d;
+    sizes += absolute(d.high);
     flat += absolute(d.high) <= mesh_flat;
     const Lanes* const a = corners.at[0];
     const Lanes* const b = corners.at[1];
@@ -189,7 +194,10 @@ RIGOR_INLINE void add_share(const double* packed, const std::uint32_t* corners, 
     add_lanes(size, sums.size[i]);
     totals.size[i] = size[0];
   }
-  for (int n = 0; n < lanes; ++n) totals.flat -= static_cast<std::size_t>(sums.flat[n]);
+  for (int n = 0; n < lanes; ++n) {
+    totals.sizes += sums.sizes[n];
+    totals.flat -= static_cast<std::size_t>(sums.flat[n]);
+  }
 }
 
 /// Vertices as x, y, z, each at most 1 in size, and a fourth number that is not read; at least one of them.

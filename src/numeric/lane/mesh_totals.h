@@ -12,6 +12,7 @@ struct MeshTotals {
   double volume[2] = {};        // Σ D
   double first[3][2] = {};      // Σ D s_i
   double second[3][3][2] = {};  // Σ D (a_i a_j + b_i b_j + c_i c_j + s_i s_j) for j ≤ i
+  double sizes = 0;             // Σ |D|, rounded
   double size[3] = {};          // Σ |D| (a_i² + b_i² + c_i² + s_i²), rounded; fast sums only
   std::size_t flat = 0;         // |D| ≤ `mesh_flat`
 };

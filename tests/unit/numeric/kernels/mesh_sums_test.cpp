@@ -84,6 +84,43 @@ TEST_CASE(
   }
 }
 
+/// The greatest error of volume, centre and second moments, over the bound that comes with it.
+double part_of_errors(const Mesh& mesh, const MeshMoments& moments) {
+  const MeshReference exact = mesh_reference(mesh);
+  double worst = 0;
+  const auto widen = [&](const HighLow& found, const Digits100& of, const Digits100& bound) {
+    worst =
+        std::max(worst, static_cast<double>(Digits100(abs(Digits100(found.high) + found.low - of) / bound)));
+  };
+  widen(moments.volume, exact.volume, moments.errors.volume * abs(exact.volume));
+  for (std::size_t i = 0; i < 3; ++i) {
+    widen(moments.centre[i], exact.centre[i], moments.errors.centre[i]);
+    for (std::size_t j = 0; j < 3; ++j)
+      widen(moments.second_moments[i][j], exact.second[i][j], moments.errors.second_moments[i][j]);
+  }
+  return worst;
+}
+
+TEST_CASE("the errors of sharp moments are below their bounds, in needles of many triangles, too") {
+  double worst = 0;
+  for (const std::size_t triangles : {8U, 512U, 20000U}) {
+    for (const MeshFamily& family : mesh_families(triangles)) {
+      const bool thin = family.name.starts_with("thickness");
+      if (family.name.starts_with("scale") || (triangles == 20000U && family.name != "thickness 1e-8"))
+        continue;
+      INFO(family.name << ", " << triangles);
+      for (const Mesh& mesh : family.meshes) {
+        const auto moments = moments_of(mesh, MeshSharpness::always);
+        REQUIRE(moments);
+        const double part = part_of_errors(mesh, *moments);
+        CHECK(part <= 1);
+        if (thin) worst = std::max(worst, part);
+      }
+    }
+  }
+  CHECK(worst > 0x1p-10);  // so that the bounds say something
+}
+
 TEST_CASE(
     "the plain sum over tetrahedra misses these bounds, far away about the origin and thin about the mean") {
   for (const MeshFamily& family : mesh_families(512)) {
