@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "numeric/exact/exact_tensor.h"
+#include "numeric/kernels/exact_characteristic.h"
 #include "numeric/kernels/rotations.h"
 
 namespace rigor {
@@ -12,45 +13,23 @@ namespace {
 
 using Integers = std::array<Integer, 3>;
 
-/// λ³ − c₂λ² + c₁λ − c₀ of the entries alone.
-struct Characteristic {
-  Integer c2 = 0;
-  Integer c1 = 0;
-  Integer c0 = 0;
-  // Of the deviator 3a − c₂ 1: t³ − 3pt − q; 4p³ − q² is 27 times the discriminant of χ.
-  Integer p;
-  Integer q;
+/// Of the entries alone.
+using Characteristic = ExactCharacteristic<Integer>;
 
-  explicit Characteristic(const ExactTensor& tensor) {
-    const auto& a = tensor.entries;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      const std::size_t k = (i + 2) % 3;
-      c2 += a[i][i];
-      c1 += a[i][i] * a[j][j] - a[i][j] * a[i][j];
-      c0 += a[0][i] * (a[1][j] * a[2][k] - a[1][k] * a[2][j]);
-    }
-    p = c2 * c2 - 3 * c1;
-    q = 2 * c2 * c2 * c2 - 9 * c2 * c1 + 27 * c0;
-  }
+/// Ascending, where two are equal: the deviator's are q/p once and −q/2p twice. Roots of a monic polynomial
+/// that are rational are integers.
+Integers equal_roots(const Characteristic& of) {
+  if (of.p == 0) return {of.c2 / 3, of.c2 / 3, of.c2 / 3};
+  const Integer once = (of.c2 * of.p + of.q) / (3 * of.p);
+  const Integer twice = (2 * of.c2 * of.p - of.q) / (6 * of.p);
+  return once < twice ? Integers{once, twice, twice} : Integers{twice, twice, once};
+}
 
-  [[nodiscard]] bool has_equal_roots() const { return 4 * p * p * p == q * q; }
-
-  /// Ascending, where two are equal: the deviator's are q/p once and −q/2p twice. Roots of a monic polynomial
-  /// that are rational are integers.
-  [[nodiscard]] Integers equal_roots() const {
-    if (p == 0) return {c2 / 3, c2 / 3, c2 / 3};
-    const Integer once = (c2 * p + q) / (3 * p);
-    const Integer twice = (2 * c2 * p - q) / (6 * p);
-    return once < twice ? Integers{once, twice, twice} : Integers{twice, twice, once};
-  }
-
-  /// Of χ(x/2^places): −1, 0 or 1.
-  [[nodiscard]] int sign_at(const Integer& x, int places) const {
-    const Integer value = ((x - (c2 << places)) * x + (c1 << 2 * places)) * x - (c0 << 3 * places);
-    return value.sign();
-  }
-};
+/// Of χ(x/2^places): −1, 0 or 1.
+int sign_at(const Characteristic& of, const Integer& x, int places) {
+  const Integer value = ((x - (of.c2 << places)) * x + (of.c1 << 2 * places)) * x - (of.c0 << 3 * places);
+  return value.sign();
+}
 
 int bits_of(const Integer& x) { return x == 0 ? 0 : static_cast<int>(msb(abs(x))) + 1; }
 
@@ -128,8 +107,8 @@ std::optional<Roots> separate_roots(const ExactTensor& tensor, const Characteris
     roots.at[k] = Integer(ldexp(r.a[k][k], roots.places));
     roots.errors[k] = error;
     if (k > 0 && roots.at[k] - roots.at[k - 1] < error << 60) return std::nullopt;
-    if (characteristic.sign_at(roots.at[k] - error, roots.places) *
-            characteristic.sign_at(roots.at[k] + error, roots.places) !=
+    if (sign_at(characteristic, roots.at[k] - error, roots.places) *
+            sign_at(characteristic, roots.at[k] + error, roots.places) !=
         -1)
       return std::nullopt;
   }
@@ -175,7 +154,7 @@ Parts parts_of(const Integer& x, int exponent) {
 
 /// In as many bits as it takes to tell the third root from the two that are equal.
 std::optional<Roots> equal_roots(const ExactTensor& tensor, const Characteristic& characteristic) {
-  Roots roots{characteristic.equal_roots(), {}, 0, {}};
+  Roots roots{equal_roots(characteristic), {}, 0, {}};
   const Integer gap = roots.at[2] - roots.at[0];
   const int bits = gap == 0 ? 0 : greatest_bits(tensor) - bits_of(gap) + 80;
   if (bits > 4096) return std::nullopt;
@@ -186,8 +165,8 @@ std::optional<Roots> equal_roots(const ExactTensor& tensor, const Characteristic
 }
 
 std::optional<Roots> roots_of(const ExactTensor& tensor) {
-  const Characteristic characteristic(tensor);
-  if (characteristic.has_equal_roots()) return equal_roots(tensor, characteristic);
+  const Characteristic characteristic(tensor.entries);
+  if (characteristic.discriminant_27() == 0) return equal_roots(tensor, characteristic);
   auto roots = separate_roots<256>(tensor, characteristic);
   if (!roots) roots = separate_roots<1024>(tensor, characteristic);
   if (!roots) roots = separate_roots<4096>(tensor, characteristic);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "numeric/kernels/exact_characteristic.h"
 #include "numeric/kernels/rotations.h"
 
 namespace rigor {
@@ -89,25 +90,12 @@ Invariants invariants_in(const SharpTensor& tensor, int lowest) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j <= i; ++j) a[i][j] = a[j][i] = in_units<Integer>(tensor[i][j], lowest);
   }
-  Integer c2 = 0;
-  Integer c1 = 0;
-  Integer c0 = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    c2 += a[i][i];
-    c1 += a[i][i] * a[j][j] - a[i][j] * a[i][j];
-    c0 += a[0][i] * (a[1][j] * a[2][k] - a[1][k] * a[2][j]);
-  }
-  // Of the deviator 3a − c₂ 1: its moments' squares 6p, and their product q; 4p³ − q² = 27² of the
-  // discriminant.
-  const Integer p = c2 * c2 - 3 * c1;
-  const Integer q = 2 * c2 * c2 * c2 - 9 * c2 * c1 + 27 * c0;
-  const Integer discriminant = (4 * p * p * p - q * q) / 27;
+  const ExactCharacteristic<Integer> exact(a);
+  const Integer discriminant = exact.discriminant_27() / 27;
   Invariants result;
-  if (c0 == 0) result.zeros.moments = c1 != 0 ? 1 : c2 != 0 ? 2 : 3;
-  result.zeros.gaps = p == 0 ? 2 : discriminant == 0 ? 1 : 0;
-  result.product = rounded_root(c0, 3 * lowest, false);
+  if (exact.c0 == 0) result.zeros.moments = exact.c1 != 0 ? 1 : exact.c2 != 0 ? 2 : 3;
+  result.zeros.gaps = exact.p == 0 ? 2 : discriminant == 0 ? 1 : 0;
+  result.product = rounded_root(exact.c0, 3 * lowest, false);
   result.gaps_product = rounded_root(discriminant, 6 * lowest, true);
   return result;
 }

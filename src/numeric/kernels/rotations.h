@@ -35,7 +35,7 @@ struct Rotated {
     const Number turned = t * a[p][q];
     a[p][p] -= turned;
     a[q][q] += turned;
-    a[p][q] = a[q][p] = 0;
+    a[p][q] = a[q][p] = Number(0);
     const std::size_t r = 3 - p - q;
     const Number x = a[r][p];
     a[r][p] = a[p][r] = c * x - s * a[r][q];
@@ -58,7 +58,7 @@ struct Rotated {
   /// To off-diagonal entries of at most `unit`, with ascending eigenvalues; from axes along those of `a`.
   void diagonalise(const Number& unit) {
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) axes[i][j] = i == j ? 1 : 0;
+      for (std::size_t j = 0; j < 3; ++j) axes[i][j] = Number(i == j ? 1 : 0);
     constexpr int most_sweeps = 64;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
       if (abs(a[0][1]) <= unit && abs(a[1][2]) <= unit && abs(a[0][2]) <= unit) break;

@@ -66,8 +66,8 @@ RIGOR_INLINE DoubleDouble<T> scaled(DoubleDouble<T> a, T factor) {
   return {a.high * factor, sharp ? a.low * factor : a.low};
 }
 
-/// Eigenvalues of what is nearly diagonal, still times |q|⁴, as S_kk and what is to be added; the gap of the
-/// first two; the small angles of the axes.
+/// Eigenvalues of what is nearly diagonal, as S_kk and what is to be added; the gap of the first two; the
+/// small angles of the axes.
 template <class T>
 struct NearlyDiagonal {
   DoubleDouble<T> values[3];
@@ -89,8 +89,9 @@ RIGOR_INLINE T rounded_difference(DoubleDouble<T> a, DoubleDouble<T> b) {
   return high.high + (high.low + (a.low - b.low));
 }
 
+/// `s` is MᵀbM; M is `m`.
 template <class T>
-RIGOR_INLINE NearlyDiagonal<T> solved(const NearlyDiagonalTensor<T>& s) {
+RIGOR_INLINE NearlyDiagonal<T> solved(const NearlyDiagonalTensor<T>& s, const Rotation<T>& m) {
   NearlyDiagonal<T> r;
   const T apart[2] = {s.diagonal[0].high - s.diagonal[2].high, s.diagonal[1].high - s.diagonal[2].high};
   const T rate = quotient(all<T>(1), apart[0] * apart[1]);
@@ -110,6 +111,9 @@ RIGOR_INLINE NearlyDiagonal<T> solved(const NearlyDiagonalTensor<T>& s) {
   const T rest = greater(absolute(r.towards[0]), absolute(r.towards[1]));
   r.wrong =
       negation(rest < nearly_diagonal) | negation(absolute(s.pair) < nearly_diagonal_pair) | (rate == 0);
+  const T less = m.excess - m.excess * m.excess;  // 1 − 1/|q|⁴
+  for (DoubleDouble<T>& value : r.values) value.low = value.low - value.high * less;
+  r.difference = r.difference - r.difference * less;
   return r;
 }
 
@@ -284,10 +288,7 @@ RIGOR_INLINE Sharpened<T> sharpen(const SymmetricTensor<T>& a, const Reduced<T>&
 template <bool sharp, bool with_axes, class T>
 RIGOR_INLINE Eigensystem<T> eigensystem(const SymmetricTensor<T>& a, const Reduced<T>& r,
                                         const Rotation<T>& m, const NearlyDiagonalTensor<T>& s) {
-  NearlyDiagonal<T> d = solved(s);
-  const T less = m.excess - m.excess * m.excess;  // 1 − 1/|q|⁴
-  for (DoubleDouble<T>& value : d.values) value.low = value.low - value.high * less;
-  d.difference = d.difference - d.difference * less;
+  NearlyDiagonal<T> d = solved(s, m);
   const T bound = all<T>(moments_rounding * 0x1p-106);
   auto small_gap =
       negation(absolute(d.difference) * r.power * good_beside >= bound * r.power + rounding_of_tiny);
