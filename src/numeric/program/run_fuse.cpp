@@ -380,6 +380,28 @@ class Fusion {
 
 }  // namespace
 
+std::optional<FusedStep> cross_of(const std::array<FusedStep, 3>& steps, std::array<std::size_t, 3>& order) {
+  for (const FusedStep& step : steps) {
+    if (step.kernel != Kernel::product_difference || step.ending != steps[0].ending ||
+        step.factor != steps[0].factor || step.negated != steps[0].negated)
+      return std::nullopt;
+  }
+  for (const std::array<std::size_t, 3>& tried : {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 1}}) {
+    const auto& x = steps[tried[0]].in;  // b f − c e
+    const auto& y = steps[tried[1]].in;  // c d − a f
+    const auto& z = steps[tried[2]].in;  // a e − b d
+    if (x[2] != y[0] || y[2] != z[0] || z[2] != x[0] || x[1] != y[3] || y[1] != z[3] || z[1] != x[3])
+      continue;
+    order = tried;
+    FusedStep step = steps[0];
+    step.kernel = Kernel::cross;
+    step.operands = 6;
+    step.in = {y[2], x[0], x[2], y[1], x[3], x[1]};
+    return step;
+  }
+  return std::nullopt;
+}
+
 FusedStep fuse(const FusionScope& scope, ValueId value, std::span<std::uint8_t> taken_in) {
   Fusion fusion(scope, value);
   const FusedStep step = fusion.step();

@@ -51,6 +51,11 @@ struct FusionScope {
   }
 };
 
+/// The step that computes three components at once, if these three steps of its width compute b f − c e, c d
+/// − a f and a e − b d, in any order of theirs, and end alike. `order`: which of them is which component.
+[[nodiscard]] std::optional<FusedStep> cross_of(const std::array<FusedStep, 3>& steps,
+                                                std::array<std::size_t, 3>& order);
+
 /// The step that computes a value. Values that it takes in are set in `taken_in` (by value).
 [[nodiscard]] FusedStep fuse(const FusionScope& scope, ValueId value, std::span<std::uint8_t> taken_in);
 

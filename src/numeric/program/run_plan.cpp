@@ -26,6 +26,9 @@ template <class Value>
   return at;
 }
 
+/// Of which cross products are made: so that no time is lost on long forms.
+constexpr std::size_t most_differences = 24;
+
 class Planner {
  public:
   Planner(const Code& code, Lanes lanes, std::span<const std::uint8_t> varies) : code_(code) {
@@ -38,6 +41,7 @@ class Planner {
     register_.assign(count, 0);
     output_of_.assign(count, 0);
     written_.assign(count, 0);
+    pending_.assign(count, 0);
     find_masks(varies);
     count_uses();
   }
@@ -131,10 +135,16 @@ class Planner {
       taken_in_[local[i]] = 1;
       summands_.emplace(local[i], fused[i]);
     }
+    std::map<ValueId, FusedStep> own;
+    for (std::size_t i = 0; i < local.size(); ++i) {
+      pending_[local[i]] = taken_in_[local[i]] == 0 ? 1 : 0;
+      if (taken_in_[local[i]] == 0) own.emplace(local[i], fused[i]);
+    }
+    find_crosses(own);
     for (std::size_t i = 0; i < local.size();) {
       const Value& first = at(local[i]);
       if (first.op != Instruction::sum) {
-        if (taken_in_[local[i]] == 0) emit_value(local[i], fused[i]);
+        if (pending_[local[i]] != 0) emit_pending(local[i], fused[i]);
         ++i;
         continue;
       }
@@ -143,6 +153,7 @@ class Planner {
              at(local[end]).height == first.height && at(local[end]).level == first.level)
         ++end;
       emit_loop(first.level, std::span(local).subspan(i, end - i));
+      for (std::size_t sum = i; sum < end; ++sum) pending_[local[sum]] = 0;
       i = end;
     }
   }
@@ -182,16 +193,80 @@ class Planner {
     return step;
   }
 
+  /// Three components of one cross product, of which one step computes all.
+  struct Cross {
+    FusedStep step;
+    std::array<ValueId, 3> components{};
+  };
+
+  /// Among these values.
+  void find_crosses(const std::map<ValueId, FusedStep>& steps) {
+    std::vector<ValueId> differences;
+    for (const auto& [id, step] : steps)
+      if (step.kernel == Kernel::product_difference && differences.size() < most_differences)
+        differences.push_back(id);
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+      for (std::size_t j = i + 1; j < differences.size(); ++j)
+        for (std::size_t k = j + 1; k < differences.size(); ++k)
+          find_cross(steps, {differences[i], differences[j], differences[k]});
+    }
+  }
+
+  void find_cross(const std::map<ValueId, FusedStep>& steps, const std::array<ValueId, 3>& ids) {
+    for (const ValueId id : ids)
+      if (crosses_.contains(id) || wide_[id] != wide_[ids[0]]) return;
+    std::array<std::size_t, 3> order{};
+    const auto step = cross_of({steps.at(ids[0]), steps.at(ids[1]), steps.at(ids[2])}, order);
+    if (!step || !has_choice(*step)) return;
+    for (const ValueId id : ids)
+      crosses_.emplace(id, Cross{*step, {ids[order[0]], ids[order[1]], ids[order[2]]}});
+  }
+
+  /// Is the first vector wide, or are both, or none?
+  [[nodiscard]] bool has_choice(const FusedStep& cross) const {
+    int first = 0;
+    int second = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      first += wide_[cross.in[k]];
+      second += wide_[cross.in[3 + k]];
+    }
+    return (first == 3 && (second == 0 || second == 3)) || (first == 0 && second == 0);
+  }
+
+  /// With the other components of its cross product, if all that they need is known.
+  void emit_pending(ValueId id, const FusedStep& fused) {
+    const auto found = crosses_.find(id);
+    if (found != crosses_.end()) {
+      const auto& [cross, components] = found->second;
+      const auto is_known = [this](ValueId operand) { return pending_[operand] == 0; };
+      if (std::all_of(cross.in.begin(), cross.in.begin() + cross.operands, is_known) &&
+          std::ranges::none_of(components, is_known)) {
+        PlanStep step = placed(cross);
+        step.out = place_of_result(components[0]);
+        for (std::size_t k = 0; k < 2; ++k) step.also_out[k] = place_of_result(components[k + 1]);
+        if (wide_[id] != 0) step.wide |= wide_result;
+        append(step);
+        for (const ValueId component : components) pending_[component] = 0;
+        return;
+      }
+    }
+    emit_value(id, fused);
+    pending_[id] = 0;
+  }
+
+  [[nodiscard]] SlotId place_of_result(ValueId id) {
+    if (output_of_[id] != 0 && wide_[id] != 0) {
+      written_[id] = 1;
+      return place(PlaceKind::output, output_of_[id] - 1);
+    }
+    register_[id] = registers_.define(wide_[id] != 0, steps_->size());
+    return place(PlaceKind::reg, register_[id]);
+  }
+
   void emit_value(ValueId id, const FusedStep& fused) {
     PlanStep step = placed(fused);
     if (wide_[id] != 0) step.wide |= wide_result;
-    if (output_of_[id] != 0 && wide_[id] != 0) {
-      written_[id] = 1;
-      step.out = place(PlaceKind::output, output_of_[id] - 1);
-    } else {
-      register_[id] = registers_.define(wide_[id] != 0, steps_->size());
-      step.out = place(PlaceKind::reg, register_[id]);
-    }
+    step.out = place_of_result(id);
     append(step);
   }
 
@@ -217,7 +292,7 @@ class Planner {
     loops_.push_back({level, {}});
     const std::vector<ValueId> own(sums.begin(), sums.end());
     emit_block(level, bodies, own);
-    for (std::size_t i = 0; i < own.size(); ++i) accumulate(own[i], totals[i], over_lanes);
+    accumulate_all(own, totals, over_lanes);
     PlanStep& opened = (*steps_)[loop];
     opened.inputs = static_cast<std::uint32_t>(plan_.loop_inputs.size());
     opened.input_count = static_cast<std::uint32_t>(loops_.back().inputs.size());
@@ -234,6 +309,35 @@ class Planner {
               .operands = 1,
               .out = place(PlaceKind::reg, register_[own[i]]),
               .in = {totals[i]}});
+    }
+  }
+
+  /// The components of a cross product in one step.
+  void accumulate_all(std::span<const ValueId> sums, std::span<const SlotId> totals, bool over_lanes) {
+    std::map<ValueId, FusedStep> steps;
+    for (const ValueId sum : sums)
+      if (const auto own = summands_.find(at(sum).a); own != summands_.end()) steps.insert(*own);
+    find_crosses(steps);
+    std::vector<std::uint8_t> done(sums.size(), 0);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      if (done[i] != 0) continue;
+      const auto cross = crosses_.find(at(sums[i]).a);
+      if (cross == crosses_.end() || !steps.contains(at(sums[i]).a)) {
+        accumulate(sums[i], totals[i], over_lanes);
+        continue;
+      }
+      PlanStep step = placed(cross->second.step);
+      step.ending = Ending::add;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto found =
+            std::ranges::find(sums, cross->second.components[k], [this](ValueId sum) { return at(sum).a; });
+        const auto of = static_cast<std::size_t>(found - sums.begin());
+        done[of] = 1;
+        (k == 0 ? step.out : step.also_out[k - 1]) = totals[of];
+        if (written_[sums[of]] == 0) registers_.use(register_[sums[of]], steps_->size());
+      }
+      if (over_lanes || wide_[sums[i]] != 0) step.wide |= wide_result;
+      append(step);
     }
   }
 
@@ -304,6 +408,8 @@ class Planner {
   std::vector<std::uint32_t> output_of_;   // by value: an output that it can be written to directly, plus 1
   std::vector<std::uint8_t> written_;      // by value: it was
   std::map<ValueId, FusedStep> summands_;  // what is computed in the step that adds it to its sum
+  std::map<ValueId, Cross> crosses_;       // by component
+  std::vector<std::uint8_t> pending_;      // by value: its step has not been put yet
   std::vector<OpenLoop> loops_;
   std::vector<std::uint32_t>* root_inputs_ = nullptr;
   std::vector<PlanStep>* steps_ = nullptr;

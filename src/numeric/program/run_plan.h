@@ -41,6 +41,7 @@ enum class Kernel : std::uint8_t {
   product_sum_3,       // (a b + c d) + e f
   square_sum_3,        // (a a + b b) + c c
   cross_square,        // ((a d − b e)² + (b f − c d)²) + (c e − a f)²
+  cross,               // (b f − c e, c d − a f, a e − b d): three results
   gram,                // ((a a + b b) + c c) ((d d + e e) + f f) − ((a d + b e) + c f)²
   less_square,         // a b − ((c d + e f) + g h)²
   product_3,           // (a b) c
@@ -74,6 +75,7 @@ struct PlanStep {
   std::uint32_t inputs = 0;  // loop: into Plan::loop_inputs
   std::uint32_t input_count = 0;
   SlotId out = 0;
+  std::array<SlotId, 2> also_out{};  // of a cross product: where its other components go
   SlotId factor = no_slot;
   std::array<SlotId, most_operands> in{};
 };

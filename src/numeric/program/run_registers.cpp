@@ -82,6 +82,8 @@ void Registers::settle(Plan& plan) const {
     for (PlanStep& step : *steps) {
       if (step.kernel == Kernel::loop) continue;
       step.out = final_slot(step.out);
+      for (SlotId& out : step.also_out)
+        if (step.kernel == Kernel::cross) out = final_slot(out);
       if (step.factor != no_slot) step.factor = final_slot(step.factor);
       for (std::size_t i = 0; i < step.operands; ++i) step.in[i] = final_slot(step.in[i]);
     }

@@ -68,16 +68,29 @@ void run(T* const* slots, const PlanStep& step, int lanes) {
   } else {
     const baseline::Operands<T, kernel, wide> operands(slots, step);
     const bool plain = step.ending == Ending::none && step.factor == no_slot && !step.negated;
-    const T* const factor = step.factor == no_slot ? nullptr : slots[step.factor];
-    const auto put = [&](const T& value, T* to) { *to = plain ? value : ended(value, to, factor, step); };
+    const bool has_factor = step.factor != no_slot;
+    const T factor = has_factor ? *slots[step.factor] : T(1);  // a result may overwrite it
+    const auto put = [&](const T* x, int i) {
+      const auto set = [&](const T& value, T* to) {
+        *to = plain ? value : ended(value, to, has_factor ? &factor : nullptr, step);
+      };
+      if constexpr (kernel == Kernel::cross) {
+        T values[3];
+        baseline::cross_product(x, values);
+        set(values[0], out + i);
+        for (std::size_t k = 0; k < 2; ++k) set(values[k + 1], slots[step.also_out[k]] + i);
+      } else {
+        set(value_of<kernel>(x), out + i);
+      }
+    };
     if constexpr (wide == 0) {
-      put(value_of<kernel>(operands.fixed), out);
+      put(operands.fixed, 0);
     } else {
 #pragma GCC ivdep
       for (int i = 0; i < lanes; ++i) {
         T x[operands.count];
         operands.take(i, x);
-        put(value_of<kernel>(x), out + i);
+        put(x, i);
       }
     }
   }

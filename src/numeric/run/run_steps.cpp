@@ -8,20 +8,28 @@
 namespace rigor::RIGOR_INSTRUCTION_SET {
 namespace {
 
+template <Kernel kernel, class T>
+RIGOR_INLINE void values_of(const T* x, T* values) {
+  if constexpr (kernel == Kernel::cross)
+    cross_product(x, values);
+  else
+    values[0] = value_of<kernel>(x);
+}
+
 template <Kernel kernel, unsigned wide>
 struct LaneOperands : Operands<double, kernel, wide> {
   using Operands<double, kernel, wide>::Operands;
 
-  RIGOR_INLINE Lanes lanes_at(int i) const {
+  RIGOR_INLINE void lanes_at(int i, Lanes* values) const {
     Lanes x[this->count];
     for (int k = 0; k < this->count; ++k)
       x[k] = (wide >> k & 1) != 0 ? load(this->from[k] + i) : all<Lanes>(this->fixed[k]);
-    return value_of<kernel>(x);
+    values_of<kernel>(x, values);
   }
-  RIGOR_INLINE double at(int i) const {
+  RIGOR_INLINE void at(int i, double* values) const {
     double x[this->count];
     this->take(i, x);
-    return value_of<kernel>(x);
+    values_of<kernel>(x, values);
   }
 };
 
@@ -33,22 +41,31 @@ RIGOR_INLINE double factor_of(double* const* slots, const PlanStep& step) {
 
 template <Kernel kernel, unsigned wide, Ending ending>
 void run_step(double* const* slots, const PlanStep& step, int count) {
-  double* const out = slots[step.out];
   const int computed = (count + lane_step - 1) / lane_step * lane_step;
   if constexpr (kernel == Kernel::clear) {
+    double* const out = slots[step.out];
     for (int i = 0; i < computed; i += lanes) store(out + i, Lanes{});
   } else {
     const LaneOperands<kernel, wide> x(slots, step);
     const double factor = factor_of(slots, step);
-    if constexpr (ending == Ending::add) {
-      // Lanes that hold no particle are not added to.
-      int i = 0;
-      for (; i + lanes <= count; i += lanes) store(out + i, load(out + i) + x.lanes_at(i) * factor);
-      for (; i < count; ++i) out[i] = out[i] + x.at(i) * factor;
-    } else if constexpr (ending == Ending::divide) {
-      for (int i = 0; i < computed; i += lanes) store(out + i, x.lanes_at(i) / factor);
-    } else {
-      for (int i = 0; i < computed; i += lanes) store(out + i, x.lanes_at(i) * factor);
+    constexpr int results = results_of(kernel);
+    double* out[results] = {slots[step.out]};
+    const auto* const more = reinterpret_cast<const SlotId*>(&step.also_out);
+    for (int k = 1; k < results; ++k) out[k] = slots[more[k - 1]];
+    // Lanes that hold no particle are not added to.
+    int i = 0;
+    for (; i + lanes <= (ending == Ending::add ? count : computed); i += lanes) {
+      Lanes v[results];
+      x.lanes_at(i, v);
+      for (int k = 0; k < results; ++k) {
+        const Lanes last = ending == Ending::divide ? v[k] / factor : v[k] * factor;
+        store(out[k] + i, ending == Ending::add ? load(out[k] + i) + last : last);
+      }
+    }
+    for (; ending == Ending::add && i < count; ++i) {
+      double v[results];
+      x.at(i, v);
+      for (int k = 0; k < results; ++k) out[k][i] = out[k][i] + v[k] * factor;
     }
   }
 }

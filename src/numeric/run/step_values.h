@@ -26,6 +26,7 @@
   STEP(product_sum_3, 0x8015, 0x803f)                      \
   STEP(square_sum_3, 0x8007)                               \
   STEP(cross_square, 0x8007, 0x803f)                       \
+  STEP(cross, 0x8007, 0x803f)                              \
   STEP(gram, 0x803f)                                       \
   STEP(less_square, 0x8055, 0x80ff)                        \
   STEP(product_3, 0x8001, 0x8003, 0x8005, 0x8007)          \
@@ -89,6 +90,18 @@ RIGOR_INLINE T value_of(const T* x) {
   }
 }
 
+/// A step has one result, a cross product three.
+constexpr int results_of(Kernel kernel) { return kernel == Kernel::cross ? 3 : 1; }
+
+template <class T>
+RIGOR_INLINE void cross_product(const T* x, T* result) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    result[i] = x[j] * x[3 + k] - x[k] * x[3 + j];
+  }
+}
+
 /// How many operands a kernel reads, and which one is the narrow factor of its first triple.
 constexpr int operands_of(Kernel kernel) {
   switch (kernel) {
@@ -110,6 +123,7 @@ constexpr int operands_of(Kernel kernel) {
       return 4;
     case Kernel::product_sum_3:
     case Kernel::cross_square:
+    case Kernel::cross:
     case Kernel::gram:
       return 6;
     case Kernel::less_square:

@@ -300,6 +300,30 @@ TEST_CASE("large fused steps round as separate ones do, whatever is the same for
   }
 }
 
+TEST_CASE("components that are computed together are those that are computed alone", "[numeric]") {
+  for (const std::size_t samples : {2u, 130u, 1100u}) {
+    Spinning spinning(samples, 21);
+    const auto [m, r, w, alpha] = std::tuple(spinning.m, spinning.r, spinning.w, spinning.alpha);
+    const Named momentum = spinning.page.vector("L");
+    spinning.page.define(momentum, over(alpha, m(alpha) * cross(r(alpha), cross(w, r(alpha)))));
+    const Named rate = spinning.page.vector("N");
+    spinning.page.define(rate, cross(momentum, w));
+    for (const Lanes lanes : {Lanes::none, Lanes::samples, Lanes::particles}) {
+      for (const Named& vector : {momentum, rate}) {
+        const Program all = compiled(spinning.page, tuple(at(vector, 1), at(vector, 2), at(vector, 3)));
+        const auto together = run_on_samples<double>(all, spinning.data, lanes, {});
+        std::vector<double> alone;
+        for (int k = 1; k <= 3; ++k) {
+          const auto one =
+              run_on_samples<double>(compiled(spinning.page, at(vector, k)), spinning.data, lanes, {});
+          alone.insert(alone.end(), one.begin(), one.end());
+        }
+        CHECK(same_bits(together, alone));
+      }
+    }
+  }
+}
+
 TEST_CASE("NaN and infinity pass through a program", "[numeric]") {
   Page page;
   const Named a = page.vector("A");

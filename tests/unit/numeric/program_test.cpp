@@ -363,6 +363,11 @@ TEST_CASE("factors, signs and sums at the end of a step take no step of their ow
   CHECK(steps(sum({i, j}, at(s, i, j) * at(a, i) * at(a, j)) / 2) == Kernels{Kernel::quadratic_form_3});
   CHECK(steps(over(alpha, m(alpha) * squared(cross(a, r(alpha))))) ==
         Kernels{Kernel::clear, Kernel::loop, Kernel::cross_square});
+  // Of three results, in order or not.
+  CHECK(steps(dot(cross(a, b), a)) == Kernels{Kernel::cross, Kernel::product_sum_3});
+  const Term momentum = m(alpha) * cross(r(alpha), cross(a, r(alpha)));
+  CHECK(steps(over(alpha, momentum)) ==
+        Kernels{Kernel::clear, Kernel::clear, Kernel::clear, Kernel::loop, Kernel::cross, Kernel::cross});
   // r² comes first: it is the same for all samples.
   CHECK(
       steps(over(alpha, m(alpha) * (squared(a) * squared(r(alpha)) - pow(dot(a, r(alpha)), 2)))) ==

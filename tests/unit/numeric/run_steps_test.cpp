@@ -14,15 +14,15 @@ namespace {
 
 constexpr std::size_t width = lane_count;
 
-/// Wide slots of random numbers; the last one is for the result.
+/// Wide slots of random numbers; the last three are for results.
 struct Slots {
   std::vector<double> numbers;
-  std::array<double*, most_operands + 1> at{};
+  std::array<double*, most_operands + 3> at{};
 
-  explicit Slots(std::uint64_t seed) : numbers((most_operands + 1) * width) {
+  explicit Slots(std::uint64_t seed) : numbers((most_operands + 3) * width) {
     SplitMix bits(seed);
     for (double& x : numbers) x = uniform_sign(bits);
-    for (std::size_t k = 0; k <= most_operands; ++k) at[k] = numbers.data() + k * width;
+    for (std::size_t k = 0; k < at.size(); ++k) at[k] = numbers.data() + k * width;
   }
 };
 
@@ -32,6 +32,7 @@ PlanStep step_of(Kernel kernel, unsigned wide, std::uint16_t minus) {
   step.wide = static_cast<std::uint16_t>(wide);
   step.minus = minus;
   step.out = most_operands;
+  step.also_out = {most_operands + 1, most_operands + 2};
   for (std::size_t k = 0; k < most_operands; ++k) step.in[k] = static_cast<SlotId>(k);
   return step;
 }
@@ -92,6 +93,14 @@ TEST_CASE("each lane has the value that the step's formula has with roundings in
       squares[k] = (first - second) * (first - second);
     }
     CHECK(x(most_operands, i) == squares[0] + squares[1] + squares[2]);
+  }
+  run(Kernel::cross, 0b111, 0, slots);
+  for (std::size_t i = 0; i < width; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double first = x((k + 1) % 3, i) * x(3 + (k + 2) % 3, 0);
+      const double second = x((k + 2) % 3, i) * x(3 + (k + 1) % 3, 0);
+      CHECK(x(most_operands + k, i) == first - second);
+    }
   }
   run(Kernel::less_square, 0b1010101, 0, slots);
   for (std::size_t i = 0; i < width; ++i) {
