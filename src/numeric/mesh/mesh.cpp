@@ -122,8 +122,8 @@ Result<MeshMoments> moments_of_surface(const Mesh& surface, MeshSharpness sharpn
   const std::vector<Mesh> parts = connected_parts(surface);
   auto best = whole;
   if (parts.size() > 1) {
-    auto joined = moments_of_parts(parts);
-    if (joined || !whole) best = joined;
+    const auto joined = moments_of_parts(parts);
+    if (!whole || (joined && joined->errors.greatest < whole->errors.greatest)) best = joined;
   }
   if (best && best->errors.greatest <= too_much_lost) return best;
   const auto exact = moments_in_integers(surface);
