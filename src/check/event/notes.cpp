@@ -73,7 +73,16 @@ class CheckedNotesReader {
                                       brace->kind == TokenKind::begin_group
                                           ? "`{` is not closed in this display"
                                           : "`}` closes nothing"});
+      } else if (expanded_tokens_ + tokens->size() > max_expanded_tokens) {
+        parsed.unread = true;
+        parsed.diagnostics.push_back({DiagnosticKind::display_too_long,
+                                      display.span,
+                                      "with this display the notes come to more than a million signs, macros "
+                                      "written out: it is not read",
+                                      {},
+                                      {"shorten the macros, or check the chapters one by one"}});
       } else {
+        expanded_tokens_ += tokens->size();
         add_quantity_words(*tokens, quantity_words_);
         expanded_.push_back({notes_.events.size(), *tokens, display.environment, display.cyclic});
       }
@@ -355,6 +364,7 @@ class CheckedNotesReader {
   Diagnostics& diagnostics_;
   Notes notes_;
   std::vector<ExpandedDisplay> expanded_;
+  std::size_t expanded_tokens_ = 0;  // of all displays
   std::set<std::string> quantity_words_;
   ScopedMacros macros_;
   std::set<std::uint32_t> reported_;

@@ -44,6 +44,8 @@ struct Notes {
 
 /// A display of more bytes than this is not read.
 inline constexpr std::uint32_t max_display_bytes = 64 * 1024;
+/// Of all displays of the notes, macros expanded: books have less.
+inline constexpr std::size_t max_expanded_tokens = 1'000'000;
 
 /// A display that is not in the notes: a text of its own, read after the place of a tag or a heading
 /// (nothing, or a name that the notes do not have: at the end), with the notes' macros.

@@ -122,6 +122,19 @@ TEST_CASE("a display that is too long or whose macros never end is not read") {
   CHECK(Read("$$" + std::string(max_display_bytes - 4, 'a') + " = b$$\n").events() != "unread\n");
 }
 
+TEST_CASE("displays that macros make longer than a book are not read") {
+  constexpr std::size_t long_macro = 20'000;
+  std::string text = "$$\\newcommand{\\a}{" + std::string(long_macro, 'x') + "} \\a = 0$$\n";
+  const std::size_t fitting = max_expanded_tokens / (long_macro + 2);
+  for (std::size_t k = 0; k < fitting; ++k) text += "\n$$\\a = 0$$\n";
+  const Read read(text + "\n$$x = 0$$\n");
+  const auto& last = std::get<ParsedDisplay>(read.notes.events.at(fitting));
+  CHECK(last.unread);
+  CHECK(last.diagnostics.at(0).kind == DiagnosticKind::display_too_long);
+  CHECK_FALSE(std::get<ParsedDisplay>(read.notes.events.at(fitting - 1)).unread);
+  CHECK_FALSE(std::get<ParsedDisplay>(read.notes.events.at(fitting + 1)).unread);  // still fits
+}
+
 TEST_CASE("the span of an event is where it stands") {
   const Read read("# One\n\n$$a = b$$\n");
   CHECK(read.sources.text(span_of(read.notes.events.at(1))) == "$$a = b$$");
