@@ -3,9 +3,9 @@
 //
 // `Shared`: a value until one of its owners writes to it. `SharedList`, `SharedIndex`, `SharedMap` and
 // `SharedSet` grow without a copy: a copy costs a pointer and a number. All copies show the beginning, as
-// long as they were, of one sequence; the longest one appends to it, which no other sees. One that was
-// overtaken copies its part before it appends, and so does every change but appending, unless nobody shares.
-// References stay valid while a list only grows.
+// long as they were, of one sequence; the longest one appends to it, which no other sees. One that another
+// has overtaken copies its part before it appends, and so does every change but appending. References stay
+// valid while lists only grow and none overtakes another.
 #pragma once
 
 #include <cstddef>
@@ -84,11 +84,15 @@ class SharedList {
   [[nodiscard]] const Value& back() const { return (*values_)[size_ - 1]; }
 
   void push_back(Value value) {
-    if (values_ == nullptr || values_->size() != size_) copy();
+    if (values_ == nullptr)
+      values_ = std::make_shared<std::deque<Value>>();
+    else if (values_->size() != size_ && values_.use_count() == 1)
+      values_->erase(values_->begin() + static_cast<std::ptrdiff_t>(size_), values_->end());  // is of nobody
+    else if (values_->size() != size_)
+      copy();
     values_->push_back(std::move(value));
     ++size_;
   }
-  void pop_back() { --size_; }
   /// To be changed.
   [[nodiscard]] Value& write(std::size_t k) {
     if (values_.use_count() > 1) copy();
@@ -143,7 +147,11 @@ class SharedIndex {
   void put(Value value) {
     const Key key = KeyOf{}(value);
     if (contains(key)) erase_if([&](const Value& each) { return KeyOf{}(each) == key; });
-    if (stored_ == nullptr || stored_->values.size() != size_)
+    if (stored_ == nullptr)
+      stored_ = std::make_shared<Stored>();
+    else if (stored_.use_count() == 1)
+      drop_what_is_of_nobody();
+    else if (stored_->values.size() != size_)
       *this = kept([](const Value&) { return true; });
     stored_->places.emplace(key, size_);
     stored_->values.push_back(std::move(value));
@@ -166,6 +174,11 @@ class SharedIndex {
     std::deque<Value> values;
     std::map<Key, std::size_t> places;
   };
+
+  void drop_what_is_of_nobody() {
+    for (; stored_->values.size() > size_; stored_->values.pop_back())
+      stored_->places.erase(KeyOf{}(stored_->values.back()));
+  }
 
   [[nodiscard]] const std::deque<Value>* values() const { return stored_ ? &stored_->values : nullptr; }
 

@@ -2,6 +2,7 @@
 // How much memory something takes at its peak.
 #pragma once
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,6 +23,7 @@ inline constexpr bool memory_is_our_own = true;
 /// MiB beyond what the process held before, mapped files included, of a call in a process of its own; it
 /// fails where the call returns false.
 inline double peak_memory_of(const std::function<bool()>& call) {
+  ::malloc_trim(0);  // what the process held before and is given back is counted, too
   int ends[2];
   REQUIRE(::pipe(ends) == 0);
   const pid_t child = ::fork();

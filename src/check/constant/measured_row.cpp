@@ -166,7 +166,7 @@ bool forget_rounded_constants(const ExprTree& tree, NameScope& scope, const std:
         });
     if (is_constant) letters.push_back(letter);
   }
-  for (const SymbolId letter : letters) forget_definition(scope, letter);
+  forget_definitions(scope, letters);
   return !letters.empty();
 }
 

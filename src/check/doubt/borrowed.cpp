@@ -390,7 +390,7 @@ class Heeding {
     }
     if (borrowed.empty()) return false;
     Names without = names_;
-    for (const NamedDefinition& named : borrowed) forget_definition(without.scope, named.definition.symbol);
+    forget_definitions(without.scope, symbols_of(borrowed));
     if (ask(without, claim_).verdict == Verdict::refuted) return false;
     std::vector<Label> labels;
     std::vector<std::string> help;

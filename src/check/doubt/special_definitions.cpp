@@ -74,7 +74,7 @@ Judgement heed_cases(ExprTree& tree, const Names& names, const Claim& claim, Jud
   }
   if (of_others.empty()) return judgement;
   Names others = names;
-  for (const NamedDefinition& named : of_others) forget_definition(others.scope, named.definition.symbol);
+  forget_definitions(others.scope, symbols_of(of_others));
   Judgement without = judge(tree, others, claim, {}, cache);
   judgement.used.insert(without.used.begin(), without.used.end());
   if (without.verdict == Verdict::proved) {

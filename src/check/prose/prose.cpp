@@ -126,8 +126,15 @@ bool stands_last(std::string_view text, std::size_t at) {
                              [&](std::string_view closing) { return behind.starts_with(closing); });
 }
 
-/// Of one sentence: each has all that is before it as its lead.
-constexpr std::size_t most_displays = 64;
+/// Displays one after the other, without a word between them: how many of them a sentence shows.
+constexpr std::size_t most_marks = 64;
+
+bool ends_in_marks(std::string_view sentence) {
+  std::size_t marks = 0;
+  for (; !sentence.empty() && (sentence.back() == '\n' || sentence.back() == ' '); sentence.remove_suffix(1))
+    marks += sentence.back() == '\n' ? 1 : 0;
+  return marks >= most_marks;
+}
 
 class ProseReader {
  public:
@@ -161,10 +168,9 @@ class ProseReader {
       if (event.kind != ProseEvent::Kind::display) continue;
       end_tail();
       last_display_ = event_;
-      sentence_ += "\n";
+      if (!ends_in_marks(sentence_)) sentence_ += "\n";
       tail_begin_ = sentence_.size();
-      const bool endless = displays_ - displays_before_ == most_displays;
-      if (endless || ends_sentence(sources_.text(event.span))) end_sentence();
+      if (ends_sentence(sources_.text(event.span))) end_sentence();
     }
     if (!events.empty()) take_rest(events);
     end_sentence();

@@ -126,12 +126,9 @@ bool is_said_elsewhere(const RowPlace& place, const NamedDefinition& named) {
 
 /// Without what other sections define. Was there anything?
 bool forget_other_sections(const RowPlace& place, NameScope& scope) {
-  std::vector<SymbolId> letters;
-  for (const NamedDefinition& named : scope.definitions) {
-    if (is_said_elsewhere(place, named)) letters.push_back(named.definition.symbol);
-  }
-  for (const SymbolId letter : letters) forget_definition(scope, letter);
-  return !letters.empty();
+  const std::size_t before = scope.definitions.size();
+  scope.definitions.erase_if([&](const NamedDefinition& named) { return is_said_elsewhere(place, named); });
+  return scope.definitions.size() < before;
 }
 
 bool rests_on_other_sections(const RowPlace& place, const MeasuredRow& row) {

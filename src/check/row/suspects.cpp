@@ -84,10 +84,9 @@ bool rests_on_what_is_said_here(RowPlace& place, const StepReading& row,
 Names as_said_here(RowPlace& place, const StepReading& row) {
   const Standpoint at = standpoint(place, row.parsed);
   Names here = place.names;
-  for (const NamedDefinition& named : place.names.scope.definitions) {
-    if (!named.origin.directive && !is_said_for(at, named.origin))
-      forget_definition(here.scope, named.definition.symbol);
-  }
+  here.scope.definitions.erase_if([&](const NamedDefinition& named) {
+    return !named.origin.directive && !is_said_for(at, named.origin);
+  });
   return here;
 }
 

@@ -236,7 +236,7 @@ void heed_other_places(Walk& walk, CaseInForce& in_force) {
 }
 
 void leave_case(Walk& walk, CaseInForce in_force) {
-  for (const SymbolId symbol : in_force.defined) forget_definition(walk.names.scope, symbol);
+  forget_definitions(walk.names.scope, in_force.defined);
   if (!in_force.assumed.empty())
     walk.names.scope.assumptions.erase_if(
         [&](const NamedAssumption& each) { return is_one_of(each.origin.text, in_force.assumed); });

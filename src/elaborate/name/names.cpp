@@ -2,6 +2,7 @@
 #include "elaborate/name/names.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "base/among.h"
@@ -114,7 +115,8 @@ SymbolId declare(Names& names, ExprTree& tree, const NameKey& named, Symbol symb
   tree.symbols[id].declared = true;
   names.symbols.declared_before.put({key, id});
   if (!names.symbols.keys.contains(id)) names.symbols.keys.put({id, key});
-  names.symbols.entries.put({key, {id, Declaration{directive, names.scope.depth}}});
+  names.symbols.entries.erase(key);
+  names.symbols.declared.put({key, {id, {directive, names.scope.depth}}});
   return id;
 }
 
@@ -141,10 +143,7 @@ void declare_particles(Names& names, const std::string& letter, std::size_t dire
 
 void forget(Names& names, std::size_t directive) {
   const auto brought = [&](const auto& entry) { return entry.origin.directive == directive; };
-  names.symbols.entries.erase_if([&](const auto& entry) {
-    const std::optional<Declaration>& declared = entry.second.declared;
-    return declared && declared->directive == directive;
-  });
+  names.symbols.declared.erase_if([&](const auto& entry) { return entry.second.by.directive == directive; });
   NameScope& scope = names.scope;
   scope.definitions.erase_if(brought);
   scope.assumptions.erase_if(brought);
@@ -228,12 +227,14 @@ bool is_small_scalar(const Names& names, const ExprTree& tree, const std::string
 }
 
 std::vector<std::string> known_names(const Names& names, const ExprTree& tree) {
-  std::vector<std::string> known;
-  for (const auto& [key, entry] : names.symbols.entries) {
-    const bool in_scope = entry.declared.has_value() || definition_of(names.scope, entry.symbol) != nullptr ||
-                          seen_in_equation(names.scope, entry.symbol);
-    if (in_scope) known.push_back(tree.symbols[entry.symbol].name);
+  std::map<NameKey, SymbolId> in_scope;
+  for (const auto& [key, declared] : names.symbols.declared) in_scope.emplace(key, declared.symbol);
+  for (const auto& [key, symbol] : names.symbols.entries) {
+    if (definition_of(names.scope, symbol) != nullptr || seen_in_equation(names.scope, symbol))
+      in_scope.emplace(key, symbol);
   }
+  std::vector<std::string> known;
+  for (const auto& [key, symbol] : in_scope) known.push_back(tree.symbols[symbol].name);
   return known;
 }
 

@@ -2,6 +2,7 @@
 #include "elaborate/name/scope.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "base/among.h"
@@ -23,6 +24,12 @@ void restore(NameScope& scope, Held held) {
 }
 
 }  // namespace
+
+std::vector<SymbolId> symbols_of(const std::vector<NamedDefinition>& definitions) {
+  std::vector<SymbolId> symbols;
+  for (const NamedDefinition& each : definitions) symbols.push_back(each.definition.symbol);
+  return symbols;
+}
 
 void define(NameScope& scope, NamedDefinition definition) {
   definition.depth = definition.origin.directive ? scope.depth : 0;
@@ -58,6 +65,12 @@ std::vector<SymbolId> symbols_reached(const ExprTree& tree, const NameScope& sco
 }
 
 void forget_definition(NameScope& scope, SymbolId symbol) { scope.definitions.erase(symbol); }
+
+void forget_definitions(NameScope& scope, const std::vector<SymbolId>& symbols) {
+  const std::set<SymbolId> forgotten(symbols.begin(), symbols.end());
+  scope.definitions.erase_if(
+      [&](const NamedDefinition& each) { return forgotten.contains(each.definition.symbol); });
+}
 
 void assume(NameScope& scope, NamedAssumption assumption) {
   assumption.depth = scope.depth;

@@ -62,6 +62,7 @@ struct UnreadAssumption {
 struct DefinedSymbol {
   SymbolId operator()(const NamedDefinition& named) const { return named.definition.symbol; }
 };
+[[nodiscard]] std::vector<SymbolId> symbols_of(const std::vector<NamedDefinition>& definitions);
 /// One for each symbol.
 using NamedDefinitions = SharedIndex<NamedDefinition, DefinedSymbol>;
 
@@ -126,6 +127,8 @@ void define(NameScope& scope, NamedDefinition definition);
 [[nodiscard]] std::vector<SymbolId> symbols_reached(const ExprTree& tree, const NameScope& scope,
                                                     std::vector<ExprId> roots);
 void forget_definition(NameScope& scope, SymbolId symbol);
+/// All at once: each time copies what is left.
+void forget_definitions(NameScope& scope, const std::vector<SymbolId>& symbols);
 void assume(NameScope& scope, NamedAssumption assumption);
 void doubt_last_assumption(NameScope& scope);
 void note_unread(NameScope& scope, UnreadAssumption unread);

@@ -22,8 +22,10 @@ AxisSpaces axes_of(const Symbols& symbols, MatrixShape shape) {
 }
 
 std::optional<SymbolId> find_symbol(const Symbols& symbols, const NameKey& key) {
-  const auto* found = symbols.entries.find(placed(symbols, key));
-  return found == nullptr ? std::nullopt : std::optional(found->second.symbol);
+  const NameKey here = placed(symbols, key);
+  if (const auto* declared = symbols.declared.find(here)) return declared->second.symbol;
+  const auto* found = symbols.entries.find(here);
+  return found == nullptr ? std::nullopt : std::optional(found->second);
 }
 
 SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const std::string& name, Span span) {
@@ -50,7 +52,7 @@ SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const s
   const SymbolId id = same ? before->second : tree.symbols.add(std::move(symbol));
   tree.symbols[id].declared = false;
   if (!symbols.keys.contains(id)) symbols.keys.put({id, key});
-  symbols.entries.put({key, {id}});
+  symbols.entries.put({key, id});
   return id;
 }
 
@@ -60,9 +62,8 @@ const NameKey* key_of(const Symbols& symbols, SymbolId symbol) {
 }
 
 std::optional<std::size_t> declared_by(const Symbols& symbols, const NameKey& key) {
-  const auto* found = symbols.entries.find(placed(symbols, key));
-  if (found == nullptr || !found->second.declared) return std::nullopt;
-  return found->second.declared->directive;
+  const auto* found = symbols.declared.find(placed(symbols, key));
+  return found == nullptr ? std::nullopt : std::optional(found->second.by.directive);
 }
 
 std::optional<std::size_t> space_declared_by(const Symbols& symbols) {
@@ -103,10 +104,7 @@ bool is_differentiated_by_place(const Symbols& symbols, const NameKey& key) {
 }
 
 void close_sections(Symbols& symbols, int level) {
-  symbols.entries.erase_if([&](const auto& entry) {
-    const std::optional<Declaration>& declared = entry.second.declared;
-    return declared && declared->depth >= level;
-  });
+  symbols.declared.erase_if([&](const auto& entry) { return entry.second.by.depth >= level; });
   symbols.particle_letters.erase_if([&](const auto& entry) { return entry.second.depth >= level; });
   symbols.spaces.erase_if([&](const SpaceInForce& each) { return each.declared.depth >= level; });
 }

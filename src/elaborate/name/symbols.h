@@ -48,12 +48,13 @@ struct FunctionValue {
 };
 
 struct Symbols {
-  struct Entry {
+  struct Declared {
     SymbolId symbol{};
-    std::optional<Declaration> declared = {};
+    Declaration by;
   };
 
-  SharedMap<NameKey, Entry> entries;
+  SharedMap<NameKey, SymbolId> entries;   // but for those that
+  SharedMap<NameKey, Declared> declared;  // a directive declares here, which end with their section
   SharedMap<SymbolId, NameKey> keys;
   SharedMap<NameKey, SymbolId> declared_before;  // in any section
   SharedMap<SymbolId, FunctionValue> function_values;

@@ -64,12 +64,35 @@ MoveErrors move_coordinates(const double* coordinates, std::size_t stride, const
   return errors;
 }
 
+namespace {
+
+/// How far the centre of mass is off by what the masses and places of the particles are off, m: the mean of
+/// the errors by mass, and what masses that are off by a part of themselves weigh otherwise.
+double centre_error(const Body& body, const SharpPosition& centre) {
+  double greatest = 0;
+  const double mass = std::accumulate(body.masses.begin(), body.masses.end(), 0.0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& each = body.errors.each[axis];
+    double sum = 0;
+    for (std::size_t k = 0; k < body.size(); ++k) {
+      const double x = body.positions[axis][k];
+      const double off = body.errors.place * std::abs(x) + body.errors.shift + (each.empty() ? 0 : each[k]);
+      sum += body.masses[k] * (off + 2 * body.errors.mass * std::abs(x - centre[axis].high));
+    }
+    greatest = std::max(greatest, sum / mass);
+  }
+  return greatest * (1 + 0x1p-20);
+}
+
+}  // namespace
+
 Result<Body> centred(Body body) {
   if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
   const auto centre = sharp_centre_of_mass(points_of(body));
   if (!centre) return tl::unexpected(centre.error());
   bool rounded = false;
   double shift = 0;
+  const double centre_off = centre_error(body, *centre);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<double>& places = body.positions[axis];
     const MoveErrors moved = move_coordinates(places.data(), 1, (*centre)[axis], 1, places);
@@ -79,7 +102,7 @@ Result<Body> centred(Body body) {
   // Errors that are relative to the coordinates before are to the coordinates now and to the shift.
   const auto far = [](const HighLow& x) { return std::abs(x.high); };
   const double moved_by = std::max({far((*centre)[0]), far((*centre)[1]), far((*centre)[2])});
-  body.errors.shift += shift + body.errors.place * moved_by * (1 + 0x1p-40);
+  body.errors.shift += shift + centre_off + body.errors.place * moved_by * (1 + 0x1p-40);
   if (rounded) body.errors.place += 0x1.01p-53;
   if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
   return body;

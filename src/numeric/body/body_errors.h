@@ -12,8 +12,8 @@ namespace rigor {
 
 /// m, of the coordinates along an axis: see `BodyErrors`.
 [[nodiscard]] ErrorBounds place_errors(const Body& body, std::size_t axis);
-/// The same along any axis to which particles are turned, each of whose components is off by `turning` at
-/// most. Refers to the body's places, which may be turned.
+/// The same along any axis to which particles are turned, which is off by `turning` at most, as a vector.
+/// Refers to the body's places, which may be turned.
 [[nodiscard]] ErrorBounds turned_place_errors(const Body& body, double turning);
 
 /// How far any entry of the inertia tensor of the particles, about their centre of mass, may be from that of

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.h"
+
 namespace rigor {
 namespace {
 
@@ -32,7 +34,10 @@ static_assert(kernels_of.size() == static_cast<std::size_t>(Instruction::sum) + 
 /// What a step takes in, beside the value that it is for.
 class TakenIn {
  public:
-  void add(ValueId value) { values_[count_++] = value; }
+  void add(ValueId value) {
+    RIGOR_CHECK(count_ < values_.size(), count_);
+    values_[count_++] = value;
+  }
   void set(std::span<std::uint8_t> taken_in) const {
     for (std::size_t k = 0; k < count_; ++k) taken_in[values_[k]] = 1;
   }

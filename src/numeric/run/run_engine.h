@@ -90,7 +90,7 @@ class Engine {
     if (!to.read) return;
     windows_.resize(plan_.inputs.size());
     for (std::size_t which = 0; which < plan_.inputs.size(); ++which)
-      if (plan_.inputs[which].input == input) windows_[which].numbers.resize(window_size);
+      if (plan_.inputs[which].input == input) windows_[which] = {std::vector<T>(window_size)};
   }
   /// Which particle (from 0) a free particle variable is.
   void set_free_particle(std::size_t variable, std::uint32_t particle) { free_[variable] = particle; }

@@ -102,7 +102,7 @@ RIGOR_INLINE void cross_product(const T* x, T* result) {
   }
 }
 
-/// How many operands a kernel reads, and which one is the narrow factor of its first triple.
+/// How many operands a kernel reads.
 constexpr int operands_of(Kernel kernel) {
   switch (kernel) {
     case Kernel::clear:

@@ -162,6 +162,10 @@ std::optional<SceneMotion> read_motion(const TomlValue& table, Diagnostics& diag
     }
   }
   if (const auto split = reader.whole("split")) {
+    if (reader.number("tolerance")) {
+      report(diagnostics, DiagnosticKind::bad_scene, reader.span_of("tolerance"),
+             "`tolerance` says nothing of split steps: give one of the two");
+    }
     motion.split = static_cast<std::size_t>(std::clamp<std::int64_t>(*split, 1, most_split));
     if (*split < 1 || *split > most_split) {
       report(diagnostics, DiagnosticKind::bad_scene, reader.span_of("split"),

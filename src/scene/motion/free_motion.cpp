@@ -76,6 +76,16 @@ bool agrees_on_path(const Comparison& comparison, const TorqueFree& motion, doub
   return true;
 }
 
+/// Along the axis of the middle moment, and along it alone: what pushes it aside, however little, grows.
+bool is_about_middle_axis(const Position& moments, const Vector3& spin) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    if (spin[j] == 0 && spin[k] == 0) return (moments[i] > moments[j]) != (moments[i] > moments[k]);
+  }
+  return false;
+}
+
 bool is_served(const MotionRequest& request) {
   const double size = std::hypot(request.spin[0], request.spin[1], request.spin[2]);
   return size >= slowest && size <= fastest && std::isfinite(request.duration) && request.rows != 0 &&
@@ -100,6 +110,10 @@ std::optional<Motion> free_motion(const SpinRates& rates, const Position& moment
   if (!is_served(request)) return std::nullopt;
   const auto spin = TorqueFree::make(moments, request.spin);
   if (!spin) return std::nullopt;
+  if (is_about_middle_axis(moments, request.spin)) {
+    const Vector3 push = rates(request.spin);
+    if (push != Vector3{}) return std::nullopt;
+  }
   const Comparison comparison(rates, moments, request);
   if (!comparison.agrees(request.spin) || !comparison.agrees_anywhere()) return std::nullopt;
   if (!agrees_on_path(comparison, *spin, request.duration)) return std::nullopt;

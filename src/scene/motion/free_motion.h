@@ -17,8 +17,9 @@ namespace rigor {
 /// first order: at 32 fixed spins of the size of the first, at the spins of the motion in every row, and at
 /// 1024 over a period or the duration, whichever is shorter. Nothing either for |ω| outside 1e-140 to 1e100
 /// (so for a body at rest), where a row is not finite (beyond 2^47 turns), and for what `integrate` would
-/// refuse. It wrongly accepts a law that differs only between these spins, and wrongly rejects one whose
-/// equations round worse than that, which is then integrated.
+/// refuse, and for a spin along the middle axis alone at which the law's rates are not 0 exactly. It wrongly
+/// accepts a law that differs only between these spins, and wrongly rejects one whose equations round worse
+/// than that, which is then integrated.
 [[nodiscard]] std::optional<Motion> free_motion(const SpinRates& rates, const Position& moments,
                                                 const MotionRequest& request);
 

@@ -15,8 +15,9 @@ namespace rigor {
 
 /// `moments` along the axes of the spin; `split` steps from row to row, at least 1. The kicks' own motion is
 /// integrated to 1e-13; of the request's tolerance nothing is used. With the order that was measured: log₂ of
-/// the greatest change of any row by twice as many steps, over that by twice as many again; none where the
-/// latter is below 1e-10 of the first spin, as for a body without a torque.
+/// the greatest change of the spin in any row by twice as many steps, over that by twice as many again; none
+/// where the latter is below 1e-10 of the greatest spin and what rounding makes of its phase, as for a body
+/// without a torque.
 [[nodiscard]] Motion split_motion(const SpinRates& rates, const Position& moments,
                                   const MotionRequest& request, std::size_t split);
 

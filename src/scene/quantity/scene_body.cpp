@@ -24,18 +24,32 @@ double greatest_of(const Tensor& tensor) {
 }
 
 /// Which of the axes is nearest to each of the file's, each taken once.
-std::array<std::size_t, 3> nearest_axes(const std::array<Position, 3>& axes) {
+struct NearestAxes {
+  std::array<std::size_t, 3> order{};
+  double margin = 1;  // by how much the nearest one was nearer than another at least, as components
+};
+NearestAxes nearest_axes(const std::array<Position, 3>& axes) {
   constexpr std::size_t none = 3;
-  std::array<std::size_t, 3> order{none, none, none};
+  NearestAxes found{{none, none, none}};
   for (std::size_t k = 0; k < 3; ++k) {
     std::size_t nearest = none;
+    double second = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (order[i] != none) continue;
-      if (nearest == none || std::abs(axes[k][i]) > std::abs(axes[k][nearest])) nearest = i;
+      if (found.order[i] != none) continue;
+      const double size = std::abs(axes[k][i]);
+      if (nearest != none) second = std::max(second, std::min(size, std::abs(axes[k][nearest])));
+      if (nearest == none || size > std::abs(axes[k][nearest])) nearest = i;
     }
-    order[nearest] = k;
+    if (k < 2) found.margin = std::min(found.margin, std::abs(axes[k][nearest]) - second);
+    found.order[nearest] = k;
   }
-  return order;
+  return found;
+}
+
+/// Where it is open which moment is which, each may be off by as much as they differ.
+double spread_of(const SharpPosition& moments) {
+  const auto [least, greatest] = std::minmax({moments[0].high, moments[1].high, moments[2].high});
+  return (greatest - least) * (1 + 0x1p-40) + 0x1p-100 * std::abs(greatest);
 }
 
 SharpPosition in_order(const SharpPosition& moments, const std::array<std::size_t, 3>& order) {
@@ -61,8 +75,13 @@ Result<SharpPosition> moments_in_order_of_axes(const SharpTensor& tensor, double
   if (products == 0) return diagonal;
   const auto system = principal_axes(tensor);
   if (!system) return tl::unexpected(system.error());
-  if (are_apart(system->principal, 32 * off))
-    return in_order(system->principal.moments, nearest_axes(system->axes));
+  if (are_apart(system->principal, 32 * off)) {
+    const SharpPosition& found = system->principal.moments;
+    const double gap = std::min((found[1] - found[0]).high, (found[2] - found[1]).high);
+    const NearestAxes nearest = nearest_axes(system->axes);
+    if (nearest.margin < alike + 8 * off / gap) left_out.fill(spread_of(found));  // sin θ ≤ 2 |E|/gap
+    return in_order(system->principal.moments, nearest.order);
+  }
   SharpPosition moments = diagonal;
   left_out = {2 * products, 2 * products, 2 * products};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -151,7 +170,7 @@ const ExactMoments* SceneBody::exact() {
 }
 
 const LongNumber* SceneBody::digits_of_moment(std::size_t k) {
-  if (!moments() || exact() == nullptr) return nullptr;
+  if (!moments() || exact() == nullptr || left_out_[k] != 0) return nullptr;
   return &exact()->moments[exact_order_[k]];
 }
 
@@ -166,7 +185,11 @@ const Result<SharpPosition>& SceneBody::moments() {
   if (!inertia) {
     moments_ = tl::unexpected(inertia.error());
   } else if (const ExactMoments* all = exact()) {
-    if (*along) exact_order_ = nearest_axes(all->axes);
+    if (*along) {
+      const NearestAxes nearest = nearest_axes(all->axes);
+      exact_order_ = nearest.order;
+      if (nearest.margin < alike) left_out_.fill(spread_of(all->principal.moments));
+    }
     ledger_.skip(moments_node, "known to all digits");
     moments_ = in_order(all->principal.moments, exact_order_);
   } else if (*along) {
@@ -205,11 +228,11 @@ const Result<SceneBody::Axes>& SceneBody::axes() {
 const Result<void>& SceneBody::turn_places() {
   if (turned_) return *turned_;
   const auto& turn = axes();  // asks for the tensor, too
+  if (with_errors_) (void)described_error();
   if (!turn) {
     turned_ = tl::unexpected(turn.error());
     return *turned_;
   }
-  if (with_errors_) (void)described_error();
   turned_ = ledger_.compute(places_node, "turned", [&]() -> Result<void> {
     auto& [x, y, z] = body_.positions;
     for (std::size_t p = 0; p < body_.size(); ++p) {

@@ -60,10 +60,10 @@ double SceneBody::sharp_tensor_error() {
 Position SceneBody::moment_errors() {
   const auto& found = moments();
   if (!found) return unknown;
-  if (exact() != nullptr) {
-    Position errors{};
+  if (const ExactMoments* all = exact()) {
+    Position errors = left_out_;
     for (std::size_t k = 0; k < 3; ++k)
-      errors[k] = digits_of_moment(k)->error + 0x1p-104 * std::abs((*found)[k].high) + 0x1p-1070;
+      errors[k] += all->moments[exact_order_[k]].error + 0x1p-104 * std::abs((*found)[k].high) + 0x1p-1070;
     return errors;
   }
   const double solver = moments_error * greatest_moment(*found) + 0x1p-1070;

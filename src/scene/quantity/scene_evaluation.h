@@ -58,6 +58,8 @@ class SceneEvaluation {
   [[nodiscard]] Samples samples_for(const Program& program, std::span<const Vector3> spins);
   [[nodiscard]] Arithmetic arithmetic_for(const Program& program) const;
   [[nodiscard]] std::vector<double> run_program(const Program& program, std::span<const Vector3> spins);
+  /// Does it read the letter t? Along a motion that is the time, of which the values say nothing.
+  [[nodiscard]] bool reads_time(const Program& program) const;
   void follow_motion(const Asked& asked, SceneQuantity& quantity);
   void note_drift(const SceneText& name, const SceneQuantity& quantity,
                   const std::vector<std::vector<double>>& rows);

@@ -2,6 +2,7 @@
 // The law of motion of a scene, out of the equations that it names, and the motion.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/motion/free_motion.h"
@@ -58,6 +59,11 @@ void SceneEvaluation::make_law() {
   if (chains_of_law_ == 0) {
     return report(DiagnosticKind::bad_scene, name.span,
                   fmt::format("no equation of the notes has the tag or heading `{}`", name.text));
+  }
+  if (std::ranges::any_of(law_programs_, [this](const Program& each) { return reads_time(each); })) {
+    return report(
+        DiagnosticKind::bad_scene, name.span,
+        fmt::format("`{}` depends on the time `t` itself: such motions are not followed", name.text));
   }
   const auto spin = values_.spin();
   if (!spin) return report(DiagnosticKind::bad_scene, scene_.motion->span, spin.error().reason, add_spin);

@@ -70,6 +70,8 @@ void SceneEvaluation::evaluate_one(Asked& asked) {
   if (reads(*asked.program, rate_symbols_) && !law_of_spin_)
     return fail(asked, "the rates of the spin are not known");
   if (over_time && !result_.motion) return fail(asked, "there is no motion");
+  if (over_time && reads_time(*asked.program))
+    return fail(asked, "it reads the time `t` itself, which is not followed along a motion");
 
   const auto dimension = quantity_dimension(forms_.tree, definitions_, asked.form->expr,
                                             [this](SymbolId symbol) { return values_.dimension_of(symbol); });
@@ -99,8 +101,16 @@ void SceneEvaluation::evaluate_one(Asked& asked) {
     quantity.value = std::move(enclosed.values);
     if (scene_.errors) quantity.error = std::move(enclosed.bounds);
   }
-  if (result_.motion && (over_time || reads(*asked.program, spin_symbols_))) follow_motion(asked, quantity);
+  const bool moves = over_time || reads(*asked.program, spin_symbols_);
+  if (result_.motion && moves && !reads_time(*asked.program)) follow_motion(asked, quantity);
   result_.quantities.push_back(std::move(quantity));
+}
+
+bool SceneEvaluation::reads_time(const Program& program) const {
+  return std::ranges::any_of(program.inputs(), [&](const ProgramInput& input) {
+    const Symbol& symbol = forms_.tree.symbols[input.symbol];
+    return symbol.name == "t" && symbol.rank == 0;
+  });
 }
 
 Samples SceneEvaluation::samples_for(const Program& program, std::span<const Vector3> spins) {
@@ -163,6 +173,7 @@ void SceneEvaluation::follow_motion(const Asked& asked, SceneQuantity& quantity)
 
 /// A vector that is not constant along the body's axes may rest in space.
 void SceneEvaluation::note_drift(const SceneText& name, const SceneQuantity& quantity, const Rows& rows) {
+  if (rows.size() < 2) return;  // nothing moved
   const auto bad = std::ranges::find_if_not(rows, are_finite);
   if (bad != rows.end()) {
     result_.drifts.push_back({quantity.source, std::numeric_limits<double>::quiet_NaN(), false, false});

@@ -180,5 +180,16 @@ TEST_CASE("moments whose gap is in their low parts do not move by the high ones"
   CHECK_FALSE(suffices(0, 1e-17, 1e9));
 }
 
+TEST_CASE("about the middle axis the least torque is no free body's", "[scene]") {
+  const MotionRequest request{.spin = {0, 5, 0}, .duration = 20, .rows = 5};
+  CHECK(free_motion(free_rates, moments, request));
+  const auto pushed = [](const Vector3& w) {
+    Vector3 rates = free_rates(w);
+    rates[0] += 1e-18;
+    return rates;
+  };
+  CHECK_FALSE(free_motion(pushed, moments, request));
+}
+
 }  // namespace
 }  // namespace rigor

@@ -110,6 +110,18 @@ TEST_CASE("a lattice that is isotropic exactly has frequencies of 0, exactly", "
   }
 }
 
+TEST_CASE("where two axes are as near, the bound has both moments", "[scene]") {
+  constexpr double speck = 0x1p-54;  // a product of inertia: the axes are 45 degrees from those of the file
+  const Body body = *point_masses("octahedron", {1, 1, 1, 1, 1, 1},
+                                  {{2, 0, 0}, {-2, 0, 0}, {0, 1, speck}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
+  const Played played(all_of_it, body);
+  const auto& moments = played.quantity("principal moments");
+  REQUIRE(moments.error.size() == 3);
+  CHECK(moments.value[1] == Approx(10));
+  CHECK(moments.error[1] >= 0x1p-55);  // as far as they are apart
+  CHECK(moments.error[2] >= 0x1p-55);
+}
+
 TEST_CASE("a lattice with one point off by its last place has frequencies that tell their signs", "[scene]") {
   Points lattice = lattice_of(0.1 * 3);
   lattice.places[8][0] = std::nextafter(lattice.places[8][0], 1);

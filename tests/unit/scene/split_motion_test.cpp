@@ -127,5 +127,27 @@ TEST_CASE("the scene of a body with a wheel shows order 2 and no drift", "[scene
   CHECK(scene.result.drifts[1].relative < 1e-3);
 }
 
+TEST_CASE("steps without an error have no order", "[motion]") {
+  const auto pushed = [](const Vector3&) { return Vector3{.165, 0, 0}; };
+  for (const std::size_t split : {1, 2, 4}) {
+    MotionRequest request = request_of(1, 4);
+    request.spin = {};
+    CHECK_FALSE(split_motion(pushed, moments, request, split).split_order);
+  }
+  const auto free = [](const Vector3& w) { return Vector3{free_spin_rates(moments, w)}; };
+  const Motion motion = split_motion(free, moments, request_of(1e5, 11), 10);
+  CHECK_FALSE(motion.split_order);
+  const Position exact = TorqueFree::make(moments, {.6, .7, .9})->spin(1e5);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(motion.spins.back()[i] == Approx(exact[i]).margin(1e-10));
+}
+
+TEST_CASE("kicks that take too long end the motion with the reason", "[motion]") {
+  MotionRequest request = request_of(1e6, 2);
+  request.most_evaluations = 10'000;
+  const Motion motion = split_motion(wheel_rates, moments, request, 1000);
+  CHECK(motion.stopped.find("evaluations of the rates are not enough") != std::string::npos);
+  CHECK(motion.evaluations < 20'000);
+}
+
 }  // namespace
 }  // namespace rigor
