@@ -278,12 +278,41 @@ bool is_restricted(const Judgement& judgement) {
                              [](const Diagnostic& each) { return each.kind == DiagnosticKind::restricted; });
 }
 
+/// Is it said for numbers for which its sums and integrals, which the proof takes to exist, do not? "For $x >
+/// 1$ the series $\sum x^n$".
+void heed_existence(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  if (judgement.verdict != Verdict::proved || !judgement.exists_by_convention) return;
+  const Span display = span_of(place.notes.events[place.event]);
+  const std::size_t sentence = beside(place).sentence;
+  const auto is_of_its_sentence = [&](const Fact& fact) {
+    if (fact.span.file == display.file && fact.span.begin >= display.begin && fact.span.end <= display.end)
+      return true;
+    return std::ranges::any_of(place.notes.prose.said, [&](const SaidInLine& said) {
+      return said.sentence == sentence && said.span.file == fact.span.file &&
+             said.span.begin == fact.span.begin;
+    });
+  };
+  Names names = place.names;
+  bool any = false;
+  for (const Fact& fact : standpoint(place, row.parsed).facts) {
+    if (!fact.proves || fact.elsewhere || !is_of_its_sentence(fact)) continue;
+    assume(names.scope, {fact.equation, Origin{fact.text, {}, std::nullopt}, 0});
+    any = true;
+  }
+  if (!any || judge(place.tree, names, claim, {}, place.options.cache).verdict == Verdict::proved) return;
+  withdraw(judgement, claim,
+           {.message = "it is said for numbers for which its sums or integrals may have no value"});
+}
+
 }  // namespace
 
 void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (row.role != Role::display || !place.heeds_words) return;
   const ParsedChain& parsed = row.parsed;
-  if (judgement.verdict == Verdict::proved) return heed_proof(place, parsed, claim, judgement);
+  if (judgement.verdict == Verdict::proved) {
+    heed_proof(place, parsed, claim, judgement);
+    return heed_existence(place, row, claim, judgement);
+  }
   heed_digits(place, claim, judgement);
   if (judgement.verdict == Verdict::proved) return;
   Standpoint at = standpoint(place, parsed);

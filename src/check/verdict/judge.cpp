@@ -257,6 +257,7 @@ class Judging {
     if (takes_another_order()) return;
     if (exists_nowhere()) return;
     judgement_.verdict = Verdict::proved;
+    judgement_.exists_by_convention = prepared_.exists_under.has_value();
     if (first_order_) note_neglected();
     const bool zero_written =
         tree_.is_zero_literal(claim_.equation.left) || tree_.is_zero_literal(claim_.equation.right);
