@@ -26,34 +26,43 @@ double greatest_of(const Tensor& tensor) {
 /// Which of the axes is nearest to each of the file's, each taken once.
 struct NearestAxes {
   std::array<std::size_t, 3> order{};
-  double margin = 1;  // by how much the nearest one was nearer than another at least, as components
+  std::array<std::size_t, 3> group{0, 1, 2};  // of the file's axes: those of one may have each other's
 };
-NearestAxes nearest_axes(const std::array<Position, 3>& axes) {
+/// `uncertainty`: of the difference of two components.
+NearestAxes nearest_axes(const std::array<Position, 3>& axes, double uncertainty) {
   constexpr std::size_t none = 3;
   NearestAxes found{{none, none, none}};
   for (std::size_t k = 0; k < 3; ++k) {
     std::size_t nearest = none;
-    double second = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       if (found.order[i] != none) continue;
-      const double size = std::abs(axes[k][i]);
-      if (nearest != none) second = std::max(second, std::min(size, std::abs(axes[k][nearest])));
-      if (nearest == none || size > std::abs(axes[k][nearest])) nearest = i;
+      if (nearest == none || std::abs(axes[k][i]) > std::abs(axes[k][nearest])) nearest = i;
     }
-    if (k < 2) found.margin = std::min(found.margin, std::abs(axes[k][nearest]) - second);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const bool is_near = std::abs(axes[k][nearest]) - std::abs(axes[k][i]) <= uncertainty;
+      if (found.order[i] != none || !is_near) continue;
+      const std::size_t joined = found.group[i];
+      std::ranges::replace(found.group, joined, found.group[nearest]);
+    }
     found.order[nearest] = k;
   }
   return found;
 }
 
-/// Where it is open which moment is which, each may be off by as much as they differ.
-double spread_of(const SharpPosition& moments) {
-  const auto [least, greatest] = std::minmax({moments[0].high, moments[1].high, moments[2].high});
-  return (greatest - least) * (1 + 0x1p-40) + 0x1p-100 * std::abs(greatest);
-}
-
 SharpPosition in_order(const SharpPosition& moments, const std::array<std::size_t, 3>& order) {
   return {moments[order[0]], moments[order[1]], moments[order[2]]};
+}
+
+/// Moments of axes of one group may be each other's: by how much, of moments in the file's order.
+Position open_order(const SharpPosition& moments, const NearestAxes& nearest) {
+  Position off{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (nearest.group[i] != nearest.group[j]) continue;
+      off[i] = std::max(off[i], std::abs((moments[i] - moments[j]).high) * (1 + 0x1p-40));
+    }
+  }
+  return off;
 }
 
 /// Whether no two moments are closer than that: by what is proved of gaps.
@@ -78,9 +87,10 @@ Result<SharpPosition> moments_in_order_of_axes(const SharpTensor& tensor, double
   if (are_apart(system->principal, 32 * off)) {
     const SharpPosition& found = system->principal.moments;
     const double gap = std::min((found[1] - found[0]).high, (found[2] - found[1]).high);
-    const NearestAxes nearest = nearest_axes(system->axes);
-    if (nearest.margin < alike + 8 * off / gap) left_out.fill(spread_of(found));  // sin θ ≤ 2 |E|/gap
-    return in_order(system->principal.moments, nearest.order);
+    const NearestAxes nearest = nearest_axes(system->axes, alike + 8 * off / gap);  // sin θ ≤ 2 |E|/gap
+    SharpPosition ordered = in_order(found, nearest.order);
+    left_out = open_order(ordered, nearest);
+    return ordered;
   }
   SharpPosition moments = diagonal;
   left_out = {2 * products, 2 * products, 2 * products};
@@ -185,13 +195,13 @@ const Result<SharpPosition>& SceneBody::moments() {
   if (!inertia) {
     moments_ = tl::unexpected(inertia.error());
   } else if (const ExactMoments* all = exact()) {
-    if (*along) {
-      const NearestAxes nearest = nearest_axes(all->axes);
-      exact_order_ = nearest.order;
-      if (nearest.margin < alike) left_out_.fill(spread_of(all->principal.moments));
-    }
+    NearestAxes nearest;
+    nearest.order = exact_order_;
+    if (*along) nearest = nearest_axes(all->axes, alike);
+    exact_order_ = nearest.order;
     ledger_.skip(moments_node, "known to all digits");
     moments_ = in_order(all->principal.moments, exact_order_);
+    left_out_ = open_order(**moments_, nearest);
   } else if (*along) {
     moments_ = ledger_.compute(moments_node, "the body's axes are its principal axes", [&] {
       return moments_in_order_of_axes(*inertia, 3 * sharp_tensor_error(), left_out_);

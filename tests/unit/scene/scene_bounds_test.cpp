@@ -120,6 +120,8 @@ TEST_CASE("where two axes are as near, the bound has both moments", "[scene]") {
   CHECK(moments.value[1] == Approx(10));
   CHECK(moments.error[1] >= 0x1p-55);  // as far as they are apart
   CHECK(moments.error[2] >= 0x1p-55);
+  CHECK(moments.value[0] == Approx(4));
+  CHECK(moments.error[0] < 1e-25);  // no other is near this one
 }
 
 TEST_CASE("a lattice with one point off by its last place has frequencies that tell their signs", "[scene]") {
