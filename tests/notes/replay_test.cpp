@@ -97,7 +97,7 @@ ReplayTally replayed_report(const std::string& path, const std::string& json) {
 
 }  // namespace
 
-TEST_CASE("every refutation in the small notes and in derivations is confirmed by its own JSON") {
+TEST_CASE("every refutation in the small notes and in derivations is confirmed by its own JSON", "[long]") {
   std::size_t confirmed = 0;
   for (const char* folder : {"fail", "pass", "../../derivations"}) {
     for (const std::string& path : notes_in(folder)) {

@@ -327,6 +327,7 @@ class Heeding {
                  [&](const Counterexample::Value& value) { return is_one_of(asked.values, value); });
     std::erase_if(example.values, [&](const auto& value) { return !is_one_of(asked.values, value); });
     std::erase_if(example.follows, [&](const auto& value) { return !is_one_of(asked.follows, value); });
+    if (asked.particles == 0) example.particles = 0;
   }
 
   /// A directive says it already.
