@@ -9,6 +9,7 @@
 #include "check/meaning/identity_reading.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
+#include "expr/calculus/differentiate.h"
 
 namespace rigor {
 namespace {
@@ -35,6 +36,10 @@ class NonZero {
       }
     }
   }
+
+  /// The terms beside others, of sums that are not set equal to 0.
+  [[nodiscard]] const std::vector<ExprId>& terms() const { return terms_; }
+  void let_vanish(ExprId term) { std::erase(terms_, term); }
 
   /// As assumptions.
   [[nodiscard]] std::vector<Equation> conditions(const std::vector<SymbolId>& zeroed) {
@@ -124,6 +129,36 @@ class NonZero {
   std::vector<std::vector<ExprId>> vanishing_;  // the terms of each sum that is set equal to 0
 };
 
+int order_in_time(const ExprTree& tree, std::span<const ExprId> sides) {
+  int order = 0;
+  for (const ExprId side : sides) {
+    for (const SymbolId symbol : symbols_in(tree, side))
+      order = std::max(order, tree.symbols[symbol].order(By::time));
+  }
+  return order;
+}
+
+/// `\nabla(\nabla\cdot\mathbf E)` of the law `\nabla\cdot\mathbf E = 0`: the written 0 says so, at every place.
+/// What is 0 at one time says nothing of rates.
+bool is_said_to_vanish(const Prepared& prepared, ExprTree& tree, ExprId term, const PageLaw& law,
+                       DecisionCache* cache) {
+  const std::array sides{law.equation.left, law.equation.right};
+  const bool written = std::ranges::any_of(sides, [&](ExprId side) { return tree.is_zero_literal(side); });
+  const ExprNode node = tree[term];
+  if (!written || law.at_instant || node.slot_count > 0) return false;
+  if (order_in_time(tree, std::span(&term, 1)) > order_in_time(tree, sides)) return false;
+  Question question{.tree = &tree,
+                    .claim = {.left = term, .right = zero_of_rank(tree, node.span, node.rank, node.axes)},
+                    .definitions = prepared.question.definitions};
+  for (std::size_t k = 0; k < prepared.assumptions.size(); ++k) {
+    const NamedAssumption* named = prepared.assumptions[k];
+    if (named != nullptr && named->origin.text == law.name)
+      question.assumptions.push_back(prepared.question.assumptions[k]);
+  }
+  constexpr Limits few{.expanded_terms = 20'000, .steps = 50'000, .sample_attempts = 1, .simplest_sample = false};
+  return decide(cache, question, few).outcome == Outcome::proved;
+}
+
 }  // namespace
 
 bool is_met_without_zeros(ExprTree& tree, const Names& names, const Equation& claim,
@@ -136,6 +171,11 @@ bool is_met_without_zeros(ExprTree& tree, const Names& names, const Equation& cl
   if (speaks_of_derivatives(prepared)) {
     Prepared further = prepare(tree, names, claim, 1);
     if (!further.too_large) prepared = std::move(further);
+  }
+  for (const ExprId term : std::vector(nonzero.terms())) {
+    const bool vanishes = std::ranges::any_of(
+        laws, [&](const PageLaw* law) { return is_said_to_vanish(prepared, tree, term, *law, cache); });
+    if (vanishes) nonzero.let_vanish(term);
   }
   Question question = std::move(prepared.question);
   for (Equation& condition : nonzero.conditions(question.zeroed))

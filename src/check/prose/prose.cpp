@@ -9,6 +9,7 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "check/word/prose_behind.h"
+#include "check/word/prose_words.h"
 #include "check/word/words_behind.h"
 
 namespace rigor {
@@ -134,6 +135,11 @@ bool ends_in_marks(std::string_view sentence) {
   for (; !sentence.empty() && (sentence.back() == '\n' || sentence.back() == ' '); sentence.remove_suffix(1))
     marks += sentence.back() == '\n' ? 1 : 0;
   return marks >= most_marks;
+}
+
+/// Up to its first mathematics or stop.
+std::string_view clause_at(std::string_view text, std::size_t at) {
+  return text.substr(at, text.find_first_of(".;:$\\", at) - at);
 }
 
 class ProseReader {
@@ -302,7 +308,8 @@ class ProseReader {
     if ((lines > 1 || (lines == 1 && behind_display)) && capital) end_sentence();
     // In Markdown blank lines stand around displays; the sentence that has one in it is of one paragraph.
     const bool meets_display = at == text.size() ? !behind_display : behind_display && !capital;
-    if (lines > 1 && (sentence_.empty() || !meets_display)) ++paragraph_;
+    const bool goes_on = capital && goes_on_with_the_argument(lowered(clause_at(text, at)));
+    if (lines > 1 && (sentence_.empty() || !meets_display) && !goes_on) ++paragraph_;
     if (!sentence_.empty() && sentence_.back() != ' ') sentence_ += ' ';
     return at;
   }

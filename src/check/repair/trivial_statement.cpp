@@ -41,7 +41,7 @@ bool is_zero_as_written(const ExprTree& tree, ExprId id) {
 
 /// Two terms of the sum are the same but for their signs. Those of different commutators are not written:
 /// `[A,[B,C]] + [B,[C,A]] + [C,[A,B]]`.
-bool has_cancelling_terms(const ExprTree& tree, ExprId side) {
+bool has_cancelling_terms_of_sum(const ExprTree& tree, ExprId side) {
   std::set<std::string> terms[2];
   std::vector<std::pair<ExprId, bool>> pending{{side, false}};
   while (!pending.empty()) {
@@ -59,6 +59,14 @@ bool has_cancelling_terms(const ExprTree& tree, ExprId side) {
     terms[negative ? 1 : 0].insert(term);
   }
   return false;
+}
+
+/// In the side itself, or in a sum within it: `\nabla(\phi - \phi)`.
+bool has_cancelling_terms(const ExprTree& tree, ExprId side) {
+  return std::ranges::any_of(nodes_below(tree, {side}), [&](ExprId id) {
+    const bool inner = id != side && tree[id].op == Op::add && !has_operators(tree, id);
+    return (inner || id == side) && has_cancelling_terms_of_sum(tree, id);
+  });
 }
 
 class InOrder {

@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// The sides are one expression, terms of a side cancel (`\mathbf v - \mathbf v`), or both are 0 as they are
-/// written (`0\,a = 0`). An identity such as `\nabla\times\nabla f = 0` is none of these.
+/// The sides are one expression, terms of a side or of a sum in it cancel (`\mathbf v - \mathbf v`), or both
+/// are 0 as they are written (`0\,a = 0`). An identity such as `\nabla\times\nabla f = 0` is none of these.
 [[nodiscard]] bool is_trivial(const ExprTree& tree, ExprId left, ExprId right);
 
 /// The same with factors and terms in any order, and products written as powers: `xy = yx`, `xx = x^2`; not
