@@ -18,6 +18,8 @@
 //   void settle(Number&)                          for a value that will be used again: brings it into its
 //                                                 simplest form
 //   void step()                                   counts the work; throws where it is too much
+//   bool is_rejected() const                      optional: a value was missing, so that nothing more need be
+//                                                 evaluated; what is returned then is not looked at
 //
 // Index and particle variables are bound in an environment of the evaluator: a definition that is unfolded
 // sees only its own bindings, so that its dummies never meet the caller's. ε and δ are looked at before the
@@ -78,6 +80,11 @@ class Evaluator {
     std::uint32_t& depth_;
   };
 
+  /// Unwinding as deep as the tree would take longer than evaluating it.
+  [[nodiscard]] bool is_rejected() const {
+    if constexpr (requires { domain_->is_rejected(); }) return domain_->is_rejected();
+    return false;
+  }
   [[nodiscard]] const ExprNode& node(ExprId id) const { return (*tree_)[id]; }
   [[nodiscard]] ExprId child(ExprId id, std::size_t i = 0) const { return tree_->children(id)[i]; }
   [[nodiscard]] std::uint8_t axis(const Slot& slot) const {

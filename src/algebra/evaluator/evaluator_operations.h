@@ -12,6 +12,7 @@ namespace rigor {
 
 template <class Domain>
 auto Evaluator<Domain>::scalar(ExprId id) -> Number {
+  if (is_rejected()) return Number{};
   const Level level(depth_);
   domain_->step();
   const ExprNode& here = node(id);
@@ -80,6 +81,7 @@ auto Evaluator<Domain>::array(ExprId id) -> Array {
   const ExprNode& here = node(id);
   const bool always_array = here.op == Op::dot || here.op == Op::determinant || here.op == Op::particle_sum;
   if (here.rank == 0 && !always_array) return {scalar(id)};
+  if (is_rejected()) return Array(component_count(here));
   const Level level(depth_);
   domain_->step();
   switch (here.op) {
@@ -214,6 +216,7 @@ void Evaluator<Domain>::for_each_value(const IndexChain& chain, std::size_t leve
   for (std::uint8_t value = 1; value <= dimension; ++value) {
     domain_->step();
     bind(chain.variables[level], value);
+    if (is_rejected()) break;
     const bool vanishes =
         std::ranges::any_of(chain.guards, [this](ExprId guard) { return index_sign(guard) == 0; });
     if (!vanishes) for_each_value(chain, level + 1, term);

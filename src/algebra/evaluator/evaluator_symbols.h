@@ -47,12 +47,14 @@ auto Evaluator<Domain>::unfolded_component(const Definition& definition, std::ui
   if (definition.indices.empty()) {
     Array all = inside(definition, particle, 0, [&] { return array(definition.body); });
     RIGOR_CHECK(all.size() == count, all.size(), count);
+    if (is_rejected()) return Number{};
     for (Number& each : all) domain_->settle(each);
     auto& kept = unfolded_[key];
     kept.assign(all.begin(), all.end());
     return *kept[component];
   }
   Number value = inside(definition, particle, component, [&] { return scalar(definition.body); });
+  if (is_rejected()) return Number{};
   domain_->settle(value);
   auto& kept = unfolded_[key];
   kept.resize(count);

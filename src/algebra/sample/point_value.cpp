@@ -14,12 +14,10 @@ namespace {
 
 constexpr int largest_count = 200;  // of arctan t or log t
 
-/// How often arctan t (twice) or log t is taken.
-[[nodiscard]] int count_of(const PointValue::Part& part) {
+/// How often arctan t (twice) or log t is taken; nothing where that is no whole number, or too often.
+[[nodiscard]] std::optional<int> count_of(const PointValue::Part& part) {
   const Rational count = part.factor * part.meaning.multiple;
-  if (cln::denominator(count) != 1 || cln::abs(count) > largest_count) {
-    throw PointRejected("a multiple of an angle is not whole");
-  }
+  if (cln::denominator(count) != 1 || cln::abs(count) > largest_count) return std::nullopt;
   return static_cast<int>(cln::double_approx(count));
 }
 
@@ -82,31 +80,28 @@ PointValue scaled(PointValue value, const Rational& factor) {
 }
 
 /// cos 2φ + i sin 2φ = (1 + i t)² / (1 + t²) for t = tan φ.
-CosineAndSine cosine_and_sine(const PointValue& angle) {
-  if (angle.enclosed || !cln::zerop(angle.rational))
-    throw PointRejected("a value of a function is not rational");
+std::optional<CosineAndSine> cosine_and_sine(const PointValue& angle) {
+  if (angle.enclosed || !cln::zerop(angle.rational)) return std::nullopt;
   CosineAndSine total;
   for (const PointValue::Part& part : angle.parts) {
-    if (part.meaning.kind != Meaning::Kind::angle)
-      throw PointRejected("a value of a function is not rational");
+    const auto count = part.meaning.kind == Meaning::Kind::angle ? count_of(part) : std::nullopt;
+    if (!count) return std::nullopt;
     const Rational square = part.number * part.number;
-    const int count = count_of(part);
     const Rational sine = 2 * part.number / (1 + square);
-    const CosineAndSine once{(1 - square) / (1 + square), count < 0 ? -sine : sine};
-    for (int i = 0; i < std::abs(count); ++i) total = turned(total, once);
+    const CosineAndSine once{(1 - square) / (1 + square), *count < 0 ? -sine : sine};
+    for (int i = 0; i < std::abs(*count); ++i) total = turned(total, once);
   }
   return total;
 }
 
-Rational exponential(const PointValue& value) {
-  if (value.enclosed || !cln::zerop(value.rational))
-    throw PointRejected("a value of a function is not rational");
+std::optional<Rational> exponential(const PointValue& value) {
+  if (value.enclosed || !cln::zerop(value.rational)) return std::nullopt;
   Rational product = 1;
   for (const PointValue::Part& part : value.parts) {
-    if (part.meaning.kind != Meaning::Kind::logarithm || !cln::plusp(part.number)) {
-      throw PointRejected("a value of a function is not rational");
-    }
-    product = product * power_of(part.number, count_of(part));
+    const bool logarithm = part.meaning.kind == Meaning::Kind::logarithm && cln::plusp(part.number);
+    const auto count = logarithm ? count_of(part) : std::nullopt;
+    if (!count) return std::nullopt;
+    product = product * power_of(part.number, *count);
   }
   return product;
 }

@@ -51,13 +51,13 @@ struct PointValue {
 void add(PointValue& total, const PointValue& summand);
 [[nodiscard]] PointValue scaled(PointValue value, const Rational& factor);
 
-/// cos and sin of a sum of multiples of angles; throws PointRejected where they are not known to be rational.
+/// cos and sin of a sum of multiples of angles; nothing where they are not known to be rational.
 struct CosineAndSine {
   Rational cosine = 1;
   Rational sine = 0;
 };
-[[nodiscard]] CosineAndSine cosine_and_sine(const PointValue& angle);
-[[nodiscard]] Rational exponential(const PointValue& value);
+[[nodiscard]] std::optional<CosineAndSine> cosine_and_sine(const PointValue& angle);
+[[nodiscard]] std::optional<Rational> exponential(const PointValue& value);
 
 /// `3/2`; where it is not rational, a decimal, `0.693147`.
 [[nodiscard]] std::string to_text(const PointValue& value);

@@ -16,8 +16,8 @@
 
 namespace rigor {
 
-/// The values of one sample, as a Domain of `Evaluator`. Throws PointRejected where a value is not defined,
-/// or not exact unless it may be enclosed; Undecidable where the work is too much.
+/// The values of one sample, as a Domain of `Evaluator`. The point is rejected where a value is not defined, or
+/// not exact unless it may be enclosed. Throws Undecidable where the work is too much.
 class SampleDomain {
  public:
   using Number = PointValue;
@@ -25,6 +25,9 @@ class SampleDomain {
   explicit SampleDomain(const Limits& limits) : largest_steps_(limits.steps), budget_(limits.budget) {}
 
   void look_at(const SamplePoint& point) { point_ = &point; }
+  /// Before an expression is evaluated.
+  void begin() { rejected_ = false; }
+  [[nodiscard]] bool is_rejected() const { return rejected_; }
   [[nodiscard]] const SamplePoint& point() const { return *point_; }
 
   [[nodiscard]] PointValue number(const std::string& digits);
@@ -57,7 +60,7 @@ class SampleDomain {
   }
   void check_root(const PointValue& square);
   [[nodiscard]] PointValue function(Function function, const PointValue& argument);
-  [[nodiscard]] PointValue circle_number() const;
+  [[nodiscard]] PointValue circle_number();
   [[nodiscard]] PointValue value(SymbolId symbol, std::uint32_t particle, std::size_t component);
   template <class Body>
   [[nodiscard]] std::vector<PointValue> particle_sum(std::size_t count, const Body& body) {
@@ -80,11 +83,20 @@ class SampleDomain {
   void allow_more(std::uint64_t steps) { largest_steps_ = std::max(largest_steps_, steps_ + steps); }
 
  private:
-  [[nodiscard]] static PointValue exact_function(Function function, const PointValue& argument);
+  [[nodiscard]] PointValue rejected() {
+    rejected_ = true;
+    return {};
+  }
+  [[nodiscard]] PointValue bounded(Rational value);
+  /// What is not exact; rejected where that does not do, and where there is no such value.
+  template <class Bounds>
+  [[nodiscard]] PointValue enclosed(const Bounds& bounds);
+  [[nodiscard]] bool is_enclosed_above_zero(const PointValue& value);
   /// Counts as many steps as it takes the time of.
   [[nodiscard]] Enclosure enclosure(const PointValue& value);
 
   const SamplePoint* point_ = nullptr;
+  bool rejected_ = false;
   bool encloses_ = false;
   std::optional<Rational> circle_;
   std::unordered_map<std::string, Rational> numbers_;
@@ -106,6 +118,7 @@ struct Difference {
   PointValue right;
 };
 
+/// Throws PointRejected where what is asked for has no value on the sample.
 class SampleEvaluator {
  public:
   SampleEvaluator(const Scope& scope, const Limits& limits)
@@ -134,6 +147,7 @@ class SampleEvaluator {
   [[nodiscard]] std::vector<Place> places(const Equation& equation) const;
 
  private:
+  void throw_if_rejected() const;
   /// Calls visit(place, left, right) for all components and particles until it returns false.
   template <class Visit>
   void for_each_place(const Equation& equation, const Visit& visit);
