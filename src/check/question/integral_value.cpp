@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "base/among.h"
@@ -13,6 +15,7 @@
 #include "elaborate/name/function_value.h"
 #include "expr/calculus/differentiate.h"
 #include "expr/print/print_latex.h"
+#include "expr/tree/rough_value.h"
 #include "expr/tree/same_expression.h"
 
 namespace rigor {
@@ -45,6 +48,22 @@ Decision IntegralValues::ask(Equation claim) const {
   return decide(nullptr, question, brief);
 }
 
+namespace {
+
+/// At one point with numbers for all letters, π as it is; false where one has no value there.
+bool surely_differ(const ExprTree& tree, ExprId a, ExprId b) {
+  constexpr double tolerance = 1e-6;  // of rounding errors, and far below what unlike expressions differ by
+  const auto value = [&](SymbolId symbol) {
+    if (tree.symbols[symbol].circle_number) return std::numbers::pi;
+    return 0.5 + std::fmod(static_cast<double>(static_cast<std::uint32_t>(symbol)) * std::numbers::phi, 1.0);
+  };
+  const double at_a = rough_value(tree, a, value);
+  const double at_b = rough_value(tree, b, value);
+  return std::abs(at_a - at_b) > tolerance * (std::abs(at_a) + std::abs(at_b));
+}
+
+}  // namespace
+
 /// What holds of moduli and roots of real numbers need not hold where letters are complex.
 bool IntegralValues::are_equal(ExprId a, ExprId b) const {
   if (same_expression(tree_, a, tree_, b)) return true;
@@ -56,6 +75,7 @@ bool IntegralValues::are_equal(ExprId a, ExprId b) const {
   for (const ExprId id : nodes_below(tree_, {a, b})) {
     if (tree_[id].op == Op::absolute || tree_[id].op == Op::root) return false;
   }
+  if (surely_differ(tree_, a, b)) return false;
   Equation claim;
   claim.left = a;
   claim.right = b;
