@@ -4,6 +4,8 @@
 
 #include <ginac/ginac.h>
 
+#include <algorithm>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -28,6 +30,26 @@ namespace rigor {
   const bool is_power = GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::integer);
   if (!is_power) return {factor, 1};
   return {factor.op(0), GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int()};
+}
+
+/// The highest exponent of each base in an expanded polynomial. One pass: GiNaC's `degree` is one for each
+/// letter that is asked for.
+using Degrees = std::unordered_map<GiNaC::ex, int>;
+[[nodiscard]] inline Degrees degrees_of(const GiNaC::ex& expanded) {
+  Degrees degrees;
+  for (const GiNaC::ex& term : terms_of(expanded)) {
+    for (const GiNaC::ex& factor : factors_of(term)) {
+      if (is_number(factor)) continue;
+      const auto [base, exponent] = split_power(factor);
+      int& known = degrees[base];
+      known = std::max(known, exponent);
+    }
+  }
+  return degrees;
+}
+[[nodiscard]] inline int degree_in(const Degrees& degrees, const GiNaC::ex& letter) {
+  const auto known = degrees.find(letter);
+  return known == degrees.end() ? 0 : known->second;
 }
 
 /// The numeric factor of a term.

@@ -74,8 +74,9 @@ std::optional<Cases::Linear> Cases::simplest_linear(const System& system, bool k
   std::size_t fewest = 0;
   for (std::size_t i = 0; i < system.equations.size(); ++i) {
     const ex& equation = system.equations[i];
+    const Degrees degrees = degrees_of(equation);
     for (const ex& x : domain_.indeterminates().all()) {
-      if (domain_.radicals().is_radical(x) || equation.degree(x) != 1) continue;
+      if (degree_in(degrees, x) != 1 || domain_.radicals().is_radical(x)) continue;
       const ex factor = equation.coeff(x, 1);
       const std::size_t terms = term_count(factor);
       if (best && terms >= fewest) continue;

@@ -209,20 +209,22 @@ void Constraints::collect_determinants(std::span<const ex> equations, std::size_
 /// The first in the order of creation, so that the choice is the same in every run; a radical only if there
 /// is no other.
 ex Constraints::linear_indeterminate(const ex& equation) const {
+  const Degrees degrees = degrees_of(equation);
   for (const bool radical : {false, true}) {
     for (const ex& x : domain_.indeterminates().all()) {
-      if (domain_.radicals().is_radical(x) != radical) continue;
-      if (equation.degree(x) == 1 && is_number(equation.coeff(x, 1))) return x;
+      if (degree_in(degrees, x) != 1 || domain_.radicals().is_radical(x) != radical) continue;
+      if (is_number(equation.coeff(x, 1))) return x;
     }
   }
   return 0;
 }
 
 ex Constraints::monic_indeterminate(const ex& equation) const {
+  const Degrees degrees = degrees_of(equation);
   for (const ex& x : domain_.indeterminates().all()) {
-    if (domain_.radicals().is_radical(x)) continue;
-    const int degree = equation.degree(x);
-    if (degree >= 2 && is_number(equation.coeff(x, degree))) return x;
+    const int degree = degree_in(degrees, x);
+    if (degree < 2 || domain_.radicals().is_radical(x)) continue;
+    if (is_number(equation.coeff(x, degree))) return x;
   }
   return 0;
 }

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "algebra/engine/terms.h"
 #include "algebra/ring/expansion.h"
@@ -50,6 +52,38 @@ namespace {
   return static_cast<std::size_t>(1 + highest / per_weight);
 }
 
+/// Letters with their exponents; nothing where it is no product of such.
+[[nodiscard]] std::optional<std::vector<std::pair<ex, int>>> letters_of_monomial(const ex& value) {
+  if (GiNaC::is_a<GiNaC::add>(value)) return std::nullopt;
+  std::vector<std::pair<ex, int>> letters;
+  for (const ex& factor : factors_of(value)) {
+    if (is_number(factor)) continue;
+    letters.push_back(split_power(factor));
+    if (!GiNaC::is_a<GiNaC::symbol>(letters.back().first) || letters.back().second < 0) return std::nullopt;
+  }
+  return letters;
+}
+
+/// Term by term: a monomial divides what is expanded if it divides each term.
+[[nodiscard]] bool divides_each_term(const ex& monomial, const std::vector<std::pair<ex, int>>& letters,
+                                     const ex& value, ex& quotient) {
+  const ex inverse = 1 / monomial;
+  GiNaC::exvector terms;
+  for (const ex& term : terms_of(value)) {
+    std::size_t found = 0;
+    for (const ex& factor : factors_of(term)) {
+      const auto [base, exponent] = split_power(factor);
+      found += std::ranges::any_of(letters, [&, &base = base, exponent = exponent](const auto& letter) {
+        return exponent >= letter.second && base.is_equal(letter.first);
+      });
+    }
+    if (found < letters.size()) return false;
+    terms.push_back(term * inverse);
+  }
+  quotient = GiNaC::add(terms);
+  return true;
+}
+
 }  // namespace
 
 std::size_t size_of_division(const ex& divisor, const ex& value) {
@@ -58,6 +92,10 @@ std::size_t size_of_division(const ex& divisor, const ex& value) {
 
 bool divides(const ex& divisor, const ex& value, ex& quotient, Budget* budget) {
   const std::size_t terms = term_count(value) + term_count(divisor);
+  if (const auto letters = value.is_zero() ? std::nullopt : letters_of_monomial(divisor)) {
+    if (budget != nullptr) budget->count((price::looked_at_term + price::expanded_term) * terms);
+    return divides_each_term(divisor, *letters, value, quotient);
+  }
   if (budget != nullptr) budget->count(price::looked_at_term * terms * weight_of_degree(value));
   if (!may_divide(divisor, value)) return false;
   if (budget != nullptr) budget->count(price::divided_pair * size_of_division(divisor, value));
