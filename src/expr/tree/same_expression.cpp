@@ -17,6 +17,7 @@ class Comparison {
 
   bool same(ExprId x, ExprId y) {
     if (is_zero(a_, x) || is_zero(b_, y)) return is_zero(a_, x) && is_zero(b_, y);
+    if (surely_differ(x, y)) return false;
     const View left = view(a_, x);
     const View right = view(b_, y);
     if (left.op != right.op || left.rank != right.rank) return false;
@@ -34,6 +35,14 @@ class Comparison {
     std::span<const Slot> slots;
     std::vector<ExprId> children;
   };
+
+  /// By their operations, before anything is put together.
+  bool surely_differ(ExprId x, ExprId y) const {
+    const ExprNode& p = a_[bare(a_, x)];
+    const ExprNode& q = b_[bare(b_, y)];
+    const bool components = p.op == Op::component || q.op == Op::component;
+    return !components && (p.op != q.op || p.rank != q.rank || (p.op == Op::symbol && !same_symbols(p.symbol, q.symbol)));
+  }
 
   /// A written 0, or a component of one.
   static bool is_zero(const ExprTree& tree, ExprId id) {
