@@ -288,6 +288,26 @@ std::optional<Doubt> of_letters_held(RowPlace& place, const StepReading&, const 
                .help = {"`rigor: claim …` asks whether it holds for all changes"}};
 }
 
+/// `(\partial p/\partial T)_V` where T is declared constant: that it has a derivative by T speaks against it.
+std::optional<Doubt> by_a_constant(RowPlace& place, const StepReading&, const Claim& claim) {
+  const ExprTree& tree = place.tree;
+  for (const ExprId side : {claim.equation.left, claim.equation.right}) {
+    for (const SymbolId symbol : symbols_in(tree, side)) {
+      const auto& derivation = tree.symbols[symbol].derivation;
+      if (!derivation) continue;
+      for (const Variable& by : derivation->by) {
+        const bool constant = by.by == By::letter && is_declared_constant(place.names.scope, by.letter);
+        if (!constant) continue;
+        const std::string& letter = tree.symbols[by.letter].name;
+        return Doubt{
+            .message = fmt::format("`{0}` is declared constant, and it differentiates by `{0}`", letter),
+            .help = {fmt::format("a heading can part it from the lines for which `{}` is constant", letter)}};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
@@ -298,7 +318,7 @@ void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
 }
 
 std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row, const Claim& claim) {
-  for (const auto ask : {of_letters_held, of_degrees_alone, of_a_contradiction, with_a_unit_missing,
+  for (const auto ask : {by_a_constant, of_letters_held, of_degrees_alone, of_a_contradiction, with_a_unit_missing,
                          in_natural_units, about_written_zeros, of_a_matrix_and_a_number, of_another_value,
                          among_alternatives, by_a_borrowed_letter, for_other_values}) {
     if (auto doubt = ask(place, row, claim)) return doubt;

@@ -11,6 +11,7 @@
 #include "base/ascii.h"
 #include "check/place/place.h"
 #include "check/prose/denial.h"
+#include "check/question/base_letters.h"
 #include "check/question/unread.h"
 #include "check/scope/definition.h"
 #include "check/word/prose_words.h"
@@ -278,10 +279,26 @@ bool is_restricted(const Judgement& judgement) {
                              [](const Diagnostic& each) { return each.kind == DiagnosticKind::restricted; });
 }
 
-/// Is it said for numbers for which its sums and integrals, which the proof takes to exist, do not? "For $x >
-/// 1$ the series $\sum x^n$".
-void heed_existence(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
-  if (judgement.verdict != Verdict::proved || !judgement.exists_by_convention) return;
+/// `x` of "for all $x$" or "for every real $x$" in the sentence of the row, where x is one of the letters.
+std::optional<std::string> letter_said_for_all(const RowPlace& place, const std::set<SymbolId>& letters) {
+  const auto& sentences = place.notes.prose.sentences;
+  const auto own = std::ranges::find(sentences, beside(place).sentence, &ProseSentence::number);
+  if (own == sentences.end()) return std::nullopt;
+  const std::string text = lowered(own->text);
+  const std::vector<std::string_view> words = words_of(text);
+  std::size_t maths = 0;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (words[k] != "$" || maths >= own->maths.size()) continue;
+    const std::string letter(without_blanks_around(place.sources.text(own->maths[maths++])));
+    const bool of_all = (k > 0 && means_all(words[k - 1])) || (k > 1 && means_all(words[k - 2]));
+    const auto is_it = [&](SymbolId each) { return place.tree.symbols[each].name == letter; };
+    if (of_all && std::ranges::any_of(letters, is_it)) return letter;
+  }
+  return std::nullopt;
+}
+
+/// Names that assume what the sentence or the display of the row says; nothing where it says nothing.
+std::optional<Names> with_what_is_said(RowPlace& place, const StepReading& row) {
   const Span display = span_of(place.notes.events[place.event]);
   const std::size_t sentence = beside(place).sentence;
   const auto is_of_its_sentence = [&](const Fact& fact) {
@@ -292,16 +309,34 @@ void heed_existence(RowPlace& place, const StepReading& row, const Claim& claim,
              said.span.begin == fact.span.begin;
     });
   };
-  Names names = place.names;
-  bool any = false;
+  std::optional<Names> names;
   for (const Fact& fact : standpoint(place, row.parsed).facts) {
     if (!fact.proves || fact.elsewhere || !is_of_its_sentence(fact)) continue;
-    assume(names.scope, {fact.equation, Origin{fact.text, {}, std::nullopt}, 0});
-    any = true;
+    if (!names) names = place.names;
+    assume(names->scope, {fact.equation, Origin{fact.text, {}, std::nullopt}, 0});
   }
-  if (!any || judge(place.tree, names, claim, {}, place.options.cache).verdict == Verdict::proved) return;
-  withdraw(judgement, claim,
-           {.message = "it is said for numbers for which its sums or integrals may have no value"});
+  return names;
+}
+
+/// Is it said for numbers for which its sums and integrals, which the proof takes to exist, do not? "For $x >
+/// 1$ the series $\sum x^n$", "for all $x$".
+void heed_existence(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  if (judgement.verdict != Verdict::proved || judgement.exists_under.empty()) return;
+  if (const std::optional<Names> names = with_what_is_said(place, row)) {
+    if (judge(place.tree, *names, claim, {}, place.options.cache).verdict == Verdict::proved) return;
+    return withdraw(
+        judgement, claim,
+        {.message = "it is said for numbers for which its sums or integrals may have no value"});
+  }
+  std::set<SymbolId> letters;
+  for (const Equation& condition : judgement.exists_under)
+    letters.merge(base_letters(place.tree, place.names.scope, condition));
+  if (const auto letter = letter_said_for_all(place, letters))
+    withdraw(judgement, claim,
+             {.message = fmt::format("it is said for all `{}`, and its sums or integrals have a value only "
+                                     "for some",
+                                     *letter),
+              .help = {"a condition next to it, as in `for |x| < 1`, says where they have one"}});
 }
 
 }  // namespace

@@ -257,7 +257,11 @@ class Judging {
     if (takes_another_order()) return;
     if (exists_nowhere()) return;
     judgement_.verdict = Verdict::proved;
-    judgement_.exists_by_convention = prepared_.exists_under.has_value();
+    if (prepared_.exists_under) {
+      const auto& assumptions = prepared_.question.assumptions;
+      judgement_.exists_under.assign(
+          assumptions.begin() + static_cast<std::ptrdiff_t>(*prepared_.exists_under), assumptions.end());
+    }
     if (first_order_) note_neglected();
     const bool zero_written =
         tree_.is_zero_literal(claim_.equation.left) || tree_.is_zero_literal(claim_.equation.right);

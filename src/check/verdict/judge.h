@@ -34,7 +34,7 @@ struct Judgement {
   std::optional<NearlyQuestion> nearly_question = {};  // of `≈`, where it was asked for
   std::optional<Sample> sample = {};                   // refuted: as the exact side gave it
   std::vector<Repair> repairs = {};                    // suspect: what may have been meant
-  bool exists_by_convention = false;       // proved: of a sum or an integral that is taken to exist
+  std::vector<Equation> exists_under = {};  // proved: of a sum or an integral that is taken to exist
   bool measures = false;                   // proved: numbers of the page give the one that it shows
   bool restates = false;                   // a law: it says again what another one says
   bool despite_given = false;              // a law: it fails, though assumptions of directives bear on it

@@ -15,9 +15,7 @@ namespace rigor {
 namespace {
 
 constexpr int bits_of_condition = 20;  // of a condition number
-// Operations with 100 digits that cost as much as one with more.
-constexpr std::size_t cost_of_400 = 8;
-constexpr std::size_t cost_of_1400 = 64;
+constexpr int bits_that_matter = 60;  // below 2^-60 a condition number multiplies an error by nothing
 
 /// |y| where that is larger than |x|, with a bound that holds for either.
 template <class Number>
@@ -71,6 +69,7 @@ class Tape {
     }
     if (total.undefined || size.is_exact_zero()) return std::numeric_limits<double>::infinity();
     const Number condition = total / size;
+    if (condition.size() + condition.bound < Magnitude(1.0, -bits_that_matter)) return 0.0;
     if (!condition.is_exact_zero() && !condition.is_known_to(bits_of_condition)) return std::nullopt;
     return static_cast<double>(condition.value);
   }
@@ -280,18 +279,33 @@ class Tape {
   std::size_t gradient_count_ = 0;
 };
 
+/// What an operation costs with so many digits, in products of numbers of 100 digits.
+struct Cost {
+  std::size_t operation = 1;
+  std::size_t function = 200;
+};
+constexpr Cost with_100_digits{};
+constexpr Cost with_400_digits{8, 4'000};
+constexpr Cost with_1400_digits{64, 120'000};
+
+/// How often all results can be computed and differentiated.
+std::size_t affordable(const Program& program, const Samples& samples, std::size_t budget, Cost cost) {
+  return budget / (1 + program.outputs()) / work_of(program, samples, cost.operation, cost.function);
+}
+
 /// Where 100 digits do not tell: with more, as long as the budget lasts, unless the result is 0.
 class FurtherDigits {
  public:
   FurtherDigits(const Program& program, const Samples& samples, std::span<const std::uint32_t> at,
-                std::size_t affordable)
+                std::size_t budget)
       : program_(program),
         samples_(samples),
         at_(at),
-        with_400_(affordable / cost_of_400),
-        with_1400_(affordable / cost_of_1400) {}
+        with_400_(affordable(program, samples, budget, with_400_digits)),
+        with_1400_(affordable(program, samples, budget, with_1400_digits)) {}
 
   [[nodiscard]] std::optional<double> condition(std::size_t sample) {
+    if (with_400_ == 0 && with_1400_ == 0) return std::nullopt;
     const ReferenceDigits exact = exact_results(program_, samples_.only(std::array{sample}), at_);
     const auto is_zero = [](Known known) { return known == Known::zero; };
     if (std::ranges::all_of(exact.known, is_zero)) return std::numeric_limits<double>::infinity();
@@ -321,12 +335,11 @@ std::vector<double> condition_numbers(const Program& program, const Samples& sam
   static_cast<void>(varying_inputs(program, samples, at));
   std::vector<double> result;
   if (program.outputs() == 0) return result;
-  const std::size_t once = work_of(program, samples);
-  const std::size_t affordable = budget / (1 + program.outputs()) / once;
-  if (affordable == 0) return result;
-  FurtherDigits further(program, samples, at, affordable);
+  const std::size_t most = affordable(program, samples, budget, with_100_digits);
+  if (most == 0) return result;
+  FurtherDigits further(program, samples, at, budget);
   Tape<BoundedDecimal<100>> tape(program, samples, at);
-  for (std::size_t sample = 0; sample < std::min(samples.samples(), affordable); ++sample) {
+  for (std::size_t sample = 0; sample < std::min(samples.samples(), most); ++sample) {
     std::optional<double> condition = tape.condition(sample);
     if (!condition) condition = further.condition(sample);
     result.push_back(condition.value_or(std::numeric_limits<double>::quiet_NaN()));

@@ -54,9 +54,12 @@ struct MeasureOptions {
 };
 
 /// Operations for one sample, loops within loops included: with N particles an operation in k of them counts
-/// N^k. At least 1; the largest number where it would be more.
-[[nodiscard]] std::size_t work_of(const Program& program, const Samples& samples);
-[[nodiscard]] std::size_t work_of(const Program& program, std::size_t particles);
+/// N^k. At least 1; the largest number where it would be more. `operation`, `function`: what one of these
+/// counts; functions are sin, exp and the like.
+[[nodiscard]] std::size_t work_of(const Program& program, const Samples& samples, std::size_t operation = 1,
+                                  std::size_t function = 1);
+[[nodiscard]] std::size_t work_of(const Program& program, std::size_t particles, std::size_t operation = 1,
+                                  std::size_t function = 1);
 /// N^k for so many levels (`LevelMask`), or the largest number.
 [[nodiscard]] std::size_t tuples_of(unsigned levels, std::size_t particles);
 

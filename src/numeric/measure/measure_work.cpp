@@ -21,7 +21,8 @@ std::size_t tuples_of(unsigned levels, std::size_t particles) {
   return count;
 }
 
-std::size_t work_of(const Program& program, std::size_t particles) {
+std::size_t work_of(const Program& program, std::size_t particles, std::size_t operation,
+                    std::size_t function) {
   const Code& code = program.code();
   std::size_t work = 1;
   for (const Value& value : code.values) {
@@ -29,13 +30,15 @@ std::size_t work_of(const Program& program, std::size_t particles) {
     const bool is_sum = value.op == Instruction::sum;
     const unsigned levels = is_sum ? code.values[value.a].levels | 1u << value.level : value.levels;
     const std::size_t count = tuples_of(levels, particles);
-    work = count > most - work ? most : work + count;
+    const std::size_t weight = is_elementary(value.op) ? function : operation;
+    work = count > (most - work) / weight ? most : work + count * weight;
   }
   return work;
 }
 
-std::size_t work_of(const Program& program, const Samples& samples) {
-  return work_of(program, samples.particles());
+std::size_t work_of(const Program& program, const Samples& samples, std::size_t operation,
+                    std::size_t function) {
+  return work_of(program, samples.particles(), operation, function);
 }
 
 }  // namespace rigor

@@ -69,5 +69,8 @@ struct Code {
   return op >= Instruction::add && op <= Instruction::divide;
 }
 [[nodiscard]] constexpr bool has_operands(Instruction op) { return op >= Instruction::add; }
+[[nodiscard]] constexpr bool is_elementary(Instruction op) {
+  return op >= Instruction::sin && op <= Instruction::tanh;
+}
 
 }  // namespace rigor

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "catch.h"
+#include "numeric/measure/measure.h"
 #include "numeric/on_sample.h"
 
 using namespace rigor;
@@ -70,6 +71,25 @@ TEST_CASE("a condition number has digits enough, or is not given", "[numeric]") 
   CHECK(of(root((pow(x + y, 2) - pow(x, 2) - pow(y, 2)) / 2)) == Approx(1.0));
   CHECK(std::isinf(of((x + y) - x - y)));  // 0 in rational numbers only
   CHECK(std::isnan(of(root(x) * root(x) - x)));
+}
+
+TEST_CASE("a condition number of 0 is found with 100 digits", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  Samples samples(1, 0);
+  samples.set(x.symbol, 0, 2.5);
+  CHECK(condition_numbers(compiled(page, exp(x) * exp(-x)), samples)[0] == 0.0);
+  CHECK(condition_numbers(compiled(page, pow(sin(x), 2) + pow(cos(x), 2)), samples)[0] == 0.0);
+}
+
+TEST_CASE("functions of many digits are counted for what they cost", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  Samples samples(1, 0);
+  samples.set(x.symbol, 0, 1e200);  // e^-x is 0 to 100 and to 400 digits
+  const Program program = compiled(page, (x + exp(-x)) - x);
+  CHECK(work_of(program, samples, 1, 1'000) > 1'000);
+  CHECK(std::isnan(condition_numbers(program, samples, {}, 400'000)[0]));
 }
 
 TEST_CASE("three sums in each other do not overflow the count of the work", "[numeric]") {
