@@ -59,8 +59,8 @@ bool IntegralValues::is_positive(ExprId id, Span span, IntegralValue& result) {
   other.left = id;
   other.right = zero;
   other.relation = Relation::less_or_equal;
-  if (ask(positive).outcome == Outcome::proved) return true;
-  if (ask(other).outcome == Outcome::proved) return false;
+  if (holds(positive)) return true;
+  if (holds(other)) return false;
   result.conditions.push_back(positive);
   return true;
 }

@@ -39,13 +39,20 @@ std::string name_of_function(const ExprTree& tree, ExprId id) {
 
 }  // namespace
 
-Decision IntegralValues::ask(Equation claim) const {
+Decision IntegralValues::ask(Equation claim) {
   Question question{.tree = &tree_, .claim = std::move(claim)};
+  std::vector<const NamedAssumption*> named;
   for (const NamedAssumption& each : names_.scope.assumptions) {
     if (each.equation.relation == Relation::equal || each.without_sample) continue;
     question.assumptions.push_back(each.equation);
+    named.push_back(&each);
   }
-  return decide(nullptr, question, brief);
+  Decision decision = decide(nullptr, question, brief);
+  if (decision.outcome != Outcome::proved) return decision;
+  for (const std::size_t which : decision.assumptions) {
+    if (!is_one_of(named[which], relied_on_)) relied_on_.push_back(named[which]);
+  }
+  return decision;
 }
 
 namespace {
@@ -285,7 +292,7 @@ std::optional<ExprId> IntegralValues::at_limit(const Primitive& primitive, const
   falls.left = limit.infinity > 0 ? *primitive.rate : zero;
   falls.right = limit.infinity > 0 ? zero : *primitive.rate;
   falls.relation = Relation::less;
-  if (ask(falls).outcome == Outcome::proved) return zero;
+  if (holds(falls)) return zero;
   const auto [factors, minus] = without_minus(*primitive.rate);
   sign_ = fmt::format("nothing says that `{}` is {}", print_latex(tree_, product_of(tree_, factors, span)),
                       (limit.infinity > 0) == minus ? "positive" : "negative");
@@ -323,7 +330,7 @@ bool IntegralValues::keeps_its_sign(ExprId linear, const Running& running, const
   crosses.left = one_sign.right;
   crosses.right = zero;
   crosses.relation = Relation::less_or_equal;
-  if (ask(one_sign).outcome == Outcome::proved) return true;
+  if (holds(one_sign)) return true;
   if (ask(crosses).outcome != Outcome::refuted) return false;
   // `\int_a^b`, `\int_1^b`: that the ends have one sign goes without saying, but not those of `\int_{-m}^M`.
   const auto is_plain = [&](ExprId end) {

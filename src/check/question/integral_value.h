@@ -48,6 +48,9 @@ class IntegralValues {
   using Derivative = std::function<std::optional<ExprId>(ExprId)>;
   [[nodiscard]] std::optional<ExprId> derivative(SymbolId primitive, const Derivative& by);
 
+  /// The assumptions that values so far rest on: `a > 0` of `\int_0^\infty e^{-ax}\,dx`.
+  [[nodiscard]] const std::vector<const NamedAssumption*>& relied_on() const { return relied_on_; }
+
   /// The variable of all unknown primitives, and values there of functions of nothing else: they never
   /// change.
   [[nodiscard]] bool is_bound(SymbolId symbol) const;
@@ -83,7 +86,8 @@ class IntegralValues {
                                 Span span);
   Differentiator differentiator(const Integral& integral, const Running& running, DerivativeBudget& budget);
   bool is_primitive(const Integral& integral, const Running& running, ExprId primitive, ExprId rest);
-  [[nodiscard]] Decision ask(Equation claim) const;
+  [[nodiscard]] Decision ask(Equation claim);
+  [[nodiscard]] bool holds(const Equation& claim) { return ask(claim).outcome == Outcome::proved; }
   [[nodiscard]] bool are_equal(ExprId a, ExprId b) const;
   ExprId difference(ExprId upper, ExprId lower, Span span);
   ExprId negative(ExprId id, Span span);
@@ -122,6 +126,7 @@ class IntegralValues {
   };
   std::map<SymbolId, Source> sources_;  // of values at the bound variable: what has them, and for which
   std::vector<SymbolId> unknown_;
+  std::vector<const NamedAssumption*> relied_on_;
   std::optional<std::string> sign_ = {};  // that would have to be known
   bool knows_values_ = true;              // no value of a function was needed that the notes do not write
 };

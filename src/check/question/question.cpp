@@ -361,6 +361,7 @@ class Preparation {
 
   /// Where an integral has no value, the claim says nothing.
   void add_conditions() {
+    prepared_.integrals_rest_on = integrals_.relied_on();
     prepared_.exists_under = prepared_.question.assumptions.size();
     for (const Equation& condition : conditions_) push(condition, nullptr);
     if (conditions_.empty()) prepared_.exists_under.reset();

@@ -21,6 +21,8 @@ struct Prepared {
   std::vector<SymbolId> unknown_changes;            // differentiated, though nothing says whether they change
   Directives used = {};                             // that say how something changes, or that it is small
   std::vector<std::string> conventions = {};        // that the values of its integrals rest on
+  std::vector<const NamedAssumption*> integrals_rest_on =
+      {};  // the values of its integrals, or that they exist
   std::optional<std::size_t> exists_under =
       {};  // from here on, assumptions without which an integral has none
   std::optional<std::string> open_integral = {};  // an integral whose value is not known, and why

@@ -140,7 +140,7 @@ bool IntegralValues::is_antidifference(const Integral& sum, const Running& runni
   Equation claim;
   claim.left = tree_.add({.op = Op::add, .span = span}, parts);
   claim.right = sum.integrand;
-  return ask(claim).outcome == Outcome::proved;
+  return holds(claim);
 }
 
 /// `q^2 < 1`: with it a geometric sum has the value that it is given.
@@ -157,11 +157,10 @@ bool IntegralValues::differs_from_one(ExprId ratio, Span span, IntegralValue& re
   different.left = ratio;
   different.right = tree_.add_number(span, "1");
   different.relation = Relation::unequal;
-  const Outcome outcome = ask(different).outcome;
-  if (outcome == Outcome::proved) return true;
+  if (holds(different)) return true;
   Equation same = different;
   same.relation = Relation::equal;
-  if (ask(same).outcome == Outcome::proved) return false;
+  if (holds(same)) return false;
   require(different, result);
   return true;
 }
@@ -169,18 +168,18 @@ bool IntegralValues::differs_from_one(ExprId ratio, Span span, IntegralValue& re
 /// Does r^k vanish at infinity? That |r| < 1 is a condition, unless it is known or cannot be.
 bool IntegralValues::falls(ExprId ratio, Span span, IntegralValue& result) {
   if (has_complex_numbers(tree_, ratio)) return false;
-  const ExprId square = tree_.add({.op = Op::power, .span = span, .exponent = 2}, std::span(&ratio, 1));
   const ExprId one = tree_.add_number(span, "1");
-  Equation below;
-  below.left = square;
-  below.right = one;
-  below.relation = Relation::less;
-  Equation above;
-  above.left = one;
-  above.right = square;
+  Equation near;  // as notes write it
+  near.left = tree_.add({.op = Op::absolute, .span = span}, std::span(&ratio, 1));
+  near.right = one;
+  near.relation = Relation::less;
+  Equation below = near;
+  below.left = tree_.add({.op = Op::power, .span = span, .exponent = 2}, std::span(&ratio, 1));
+  Equation above = below;
+  std::swap(above.left, above.right);
   above.relation = Relation::less_or_equal;
-  if (ask(below).outcome == Outcome::proved) return true;
-  if (ask(above).outcome == Outcome::proved) return false;
+  if (holds(near) || holds(below)) return true;
+  if (holds(above)) return false;
   require(below, result);
   return true;
 }

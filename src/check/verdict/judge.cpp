@@ -94,6 +94,9 @@ class Judging {
   [[nodiscard]] Prepared prepare(int slack, Precision precision, int order) {
     Prepared prepared = rigor::prepare(tree_, names_, claim_.equation, slack, precision, order);
     judgement_.used.insert(prepared.used.begin(), prepared.used.end());
+    for (const NamedAssumption* each : prepared.integrals_rest_on) {
+      if (each->origin.directive) judgement_.used.insert(*each->origin.directive);
+    }
     return prepared;
   }
 
@@ -225,6 +228,7 @@ class Judging {
     for (const std::string& convention : claim_.reading->found.conventions)
       add_use("convention: " + convention);
     for (const std::string& convention : prepared_.conventions) add_use("convention: " + convention);
+    for (const NamedAssumption* each : prepared_.integrals_rest_on) add_use(each->origin.text);
     if (!claim_.derived_by.empty())
       add_use(
           fmt::format("convention: an integral without limits is one up to a constant, so that both sides "
