@@ -33,9 +33,9 @@ rigor_floor(expr ON source
   ROOMS tree calculus print statement)
 rigor_floor(elaborate ON latex expr
   ROOMS evidence name reading symbol notation)
-rigor_floor(algebra ON expr PRIVATE rigor::ginac
+rigor_floor(algebra ON expr PRIVATE rigor::ginac Eigen3::Eigen
   ROOMS engine words parts point evaluator ring form generic sample decide)
-rigor_floor(numeric ON expr PRIVATE Eigen3::Eigen rigor::qd Boost::boost
+rigor_floor(numeric ON expr PRIVATE rigor::qd Boost::boost
   ROOMS lane kernels exact program run body mesh family measure advice)
 rigor_floor(check ON elaborate algebra
   ROOMS step word directive prose event ledger average question meaning verdict scope doubt constant law repair place row walk dimension form shown
@@ -55,7 +55,7 @@ set(RIGOR_FILES_WITHOUT_ROOM src/app/main.cpp)
 set(RIGOR_ONLY_cmark-gfm.h latex)
 set(RIGOR_ONLY_ginac algebra)
 set(RIGOR_ONLY_cln algebra)
-set(RIGOR_ONLY_Eigen numeric)
+set(RIGOR_ONLY_Eigen algebra)
 set(RIGOR_ONLY_qd numeric)
 set(RIGOR_ONLY_boost numeric scene)
 set(RIGOR_ONLY_toml++ scene)

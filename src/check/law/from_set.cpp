@@ -10,6 +10,7 @@
 #include <ranges>
 #include <set>
 
+#include "algebra/sample/rough_screen.h"
 #include "base/among.h"
 #include "check/law/bearing.h"
 #include "check/law/states.h"
@@ -283,13 +284,17 @@ std::vector<SymbolId> constants_under(const RowUnderLaws& row, const Names& name
   return momentary ? std::vector<SymbolId>{} : constants_by_evidence(row, names);
 }
 
+Budget* budget_of(const RowUnderLaws& row) { return row.cache == nullptr ? nullptr : &row.cache->budget(); }
+
 /// The names of the definitions and assumptions that a proof needs; nothing: there is no proof. What a
 /// derivative of a law shows is looked for only if the law itself does not prove it.
 std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, const Names& names) {
   for (const int slack : {0, 1}) {
     const Prepared prepared = prepare(row.tree, names, row.claim.equation, slack);
     if (prepared.too_large) return std::nullopt;
-    const Decision decision = decide(row.cache, prepared.question, limits_of_proofs);
+    const bool hopeless = fails_at_rough_points(prepared.question, budget_of(row));
+    const Decision decision =
+        hopeless ? Decision() : decide(row.cache, prepared.question, limits_of_proofs);
     if (decision.outcome == Outcome::proved) {
       std::vector<std::string> used;
       for (std::size_t k = 0; k < prepared.definitions.size(); ++k) {
@@ -385,7 +390,7 @@ bool fails_under(const RowUnderLaws& row, const Laws& set) {
       with_not_zero(row, with_constants(assumed, constants_by_evidence(row, assumed)), not_zero(row, set));
   const Prepared prepared = prepare(row.tree, all, row.claim.equation, 1);
   if (prepared.too_large || !prepared.unknown_changes.empty()) return false;
-  return decide(row.cache, prepared.question, limits_of_sets).outcome == Outcome::refuted;
+  return fails_at_rough_points(prepared.question, budget_of(row));
 }
 
 }  // namespace rigor
