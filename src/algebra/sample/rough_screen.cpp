@@ -21,7 +21,7 @@
 namespace rigor {
 namespace {
 
-constexpr int most_numbers = 64;
+constexpr int most_numbers = 128;
 constexpr std::size_t most_rough_equations = 160;
 constexpr std::uint64_t most_steps = 60'000;  // of evaluation, for all points
 constexpr std::uint32_t rough_particles = 2;

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What follows is never said to fail; nearly all that does not follow is.
+#include "algebra/sample/rough_screen.h"
+
+#include "algebra/verdict.h"
+#include "catch.h"
+
+using namespace rigor;
+using namespace rigor::build;
+
+namespace {
+
+bool fails(const Question& question) {
+  Budget budget;
+  const bool result = fails_at_rough_points(question, &budget);
+  CHECK_FALSE(budget.exhausted());
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("what follows from equations does not fail at rough points", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  const Named c = page.scalar("c");
+  page.given(a + b, c);
+  CHECK_FALSE(fails(page.claim(pow(a + b, 2), pow(c, 2))));
+  CHECK_FALSE(fails(page.claim(sin(a + b), sin(c))));
+  CHECK(fails(page.claim(a, c)));
+  CHECK(fails(page.claim(pow(a, 2) + pow(b, 2), pow(c, 2))));
+}
+
+TEST_CASE("a claim that holds at some of the points only does not count as failing", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  page.given(pow(a, 2), pow(b, 2));
+  CHECK_FALSE(fails(page.claim(absolute(a), absolute(b))));
+  CHECK_FALSE(fails(page.claim(pow(a, 4), pow(b, 4))));
+}
+
+TEST_CASE("a double root is met nearly, and its letter vanishes there", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  page.given(pow(a, 2) + pow(b, 2), page.zero());
+  CHECK_FALSE(fails(page.claim(a, page.zero())));
+  CHECK_FALSE(fails(page.claim(a, 3 * b)));
+}
+
+TEST_CASE("without a point at which the assumptions hold nothing fails", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  page.given(pow(a, 2), -exp(b));
+  CHECK_FALSE(fails(page.claim(a, b)));
+}
+
+TEST_CASE("vectors, unit vectors and sums over particles have rough points", "[algebra]") {
+  Page page;
+  const Named u = page.vector("u");
+  const Named v = page.vector("v");
+  const Named n = page.unit("n");
+  const Named m = page.scalars("m");
+  const Named r = page.vectors("r");
+  const ParticleId alpha = page.particle("\\alpha");
+  page.given(over(alpha, m(alpha) * r(alpha)), page.zero_vector());
+  page.given(dot(u, n), page.zero());
+  CHECK_FALSE(fails(page.claim(squared(cross(u, n)), squared(u))));
+  CHECK(fails(page.claim(squared(cross(v, n)), squared(v))));
+  CHECK_FALSE(fails(page.claim(dot(v, over(alpha, m(alpha) * r(alpha))), page.zero())));
+  CHECK(fails(page.claim(over(alpha, m(alpha) * squared(r(alpha))), page.zero())));
+}
