@@ -240,12 +240,12 @@ class RoughScreen {
     evaluator_.forget();
     do {
       for (std::size_t i = 0; i < particles.size(); ++i) evaluator_.bind(equation.particles[i], particles[i]);
-      static_cast<void>(for_each_component(
-          evaluator_, scope_.tree(), equation,
-          [&](const std::vector<std::uint8_t>&, const Sloped& left, const Sloped& right) {
-            all.push_back({left, right});
-            return !domain_.is_rejected();
-          }));
+      static_cast<void>(
+          for_each_component(evaluator_, scope_.tree(), equation,
+                             [&](const std::vector<std::uint8_t>&, const Sloped& left, const Sloped& right) {
+                               all.push_back({left, right});
+                               return !domain_.is_rejected();
+                             }));
       if (domain_.is_rejected()) return std::nullopt;
     } while (next_tuple(particles, 1u, rough_particles));
     return all;
@@ -307,9 +307,8 @@ class RoughScreen {
       const auto sides = sides_of(equation, point);
       if (!sides) return false;
       if (equation.relation == Relation::unequal) return std::ranges::any_of(*sides, &Sides::differ);
-      return std::ranges::all_of(*sides, [](const Sides& each) {
-        return each.difference() < 0 && each.differ();
-      });
+      return std::ranges::all_of(*sides,
+                                 [](const Sides& each) { return each.difference() < 0 && each.differ(); });
     });
   }
 

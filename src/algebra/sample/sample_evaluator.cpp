@@ -24,8 +24,7 @@ PointValue SampleDomain::value(SymbolId symbol, std::uint32_t particle, std::siz
   const Rational& number = point_->value(symbol, particle, component);
   const Meaning& meaning = point_->meaning(symbol);
   if (meaning.kind == Meaning::Kind::itself) return number;
-  if (meaning.kind == Meaning::Kind::logarithm && !cln::plusp(number))
-    return rejected();
+  if (meaning.kind == Meaning::Kind::logarithm && !cln::plusp(number)) return rejected();
   PointValue value;
   value.parts.push_back({1, number, meaning, point_->place(symbol, particle) + component});
   return value;

@@ -16,8 +16,8 @@
 
 namespace rigor {
 
-/// The values of one sample, as a Domain of `Evaluator`. The point is rejected where a value is not defined, or
-/// not exact unless it may be enclosed. Throws Undecidable where the work is too much.
+/// The values of one sample, as a Domain of `Evaluator`. The point is rejected where a value is not defined,
+/// or not exact unless it may be enclosed. Throws Undecidable where the work is too much.
 class SampleDomain {
  public:
   using Number = PointValue;

@@ -293,8 +293,7 @@ std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, 
     const Prepared prepared = prepare(row.tree, names, row.claim.equation, slack);
     if (prepared.too_large) return std::nullopt;
     const bool hopeless = fails_at_rough_points(prepared.question, budget_of(row));
-    const Decision decision =
-        hopeless ? Decision() : decide(row.cache, prepared.question, limits_of_proofs);
+    const Decision decision = hopeless ? Decision() : decide(row.cache, prepared.question, limits_of_proofs);
     if (decision.outcome == Outcome::proved) {
       std::vector<std::string> used;
       for (std::size_t k = 0; k < prepared.definitions.size(); ++k) {

@@ -138,8 +138,8 @@ int order_in_time(const ExprTree& tree, std::span<const ExprId> sides) {
   return order;
 }
 
-/// `\nabla(\nabla\cdot\mathbf E)` of the law `\nabla\cdot\mathbf E = 0`: the written 0 says so, at every place.
-/// What is 0 at one time says nothing of rates.
+/// `\nabla(\nabla\cdot\mathbf E)` of the law `\nabla\cdot\mathbf E = 0`: the written 0 says so, at every
+/// place. What is 0 at one time says nothing of rates.
 bool is_said_to_vanish(const Prepared& prepared, ExprTree& tree, ExprId term, const PageLaw& law,
                        DecisionCache* cache) {
   const std::array sides{law.equation.left, law.equation.right};
@@ -155,7 +155,8 @@ bool is_said_to_vanish(const Prepared& prepared, ExprTree& tree, ExprId term, co
     if (named != nullptr && named->origin.text == law.name)
       question.assumptions.push_back(prepared.question.assumptions[k]);
   }
-  constexpr Limits few{.expanded_terms = 20'000, .steps = 50'000, .sample_attempts = 1, .simplest_sample = false};
+  constexpr Limits few{
+      .expanded_terms = 20'000, .steps = 50'000, .sample_attempts = 1, .simplest_sample = false};
   return decide(cache, question, few).outcome == Outcome::proved;
 }
 

@@ -318,9 +318,9 @@ void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
 }
 
 std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row, const Claim& claim) {
-  for (const auto ask : {by_a_constant, of_letters_held, of_degrees_alone, of_a_contradiction, with_a_unit_missing,
-                         in_natural_units, about_written_zeros, of_a_matrix_and_a_number, of_another_value,
-                         among_alternatives, by_a_borrowed_letter, for_other_values}) {
+  for (const auto ask : {by_a_constant, of_letters_held, of_degrees_alone, of_a_contradiction,
+                         with_a_unit_missing, in_natural_units, about_written_zeros, of_a_matrix_and_a_number,
+                         of_another_value, among_alternatives, by_a_borrowed_letter, for_other_values}) {
     if (auto doubt = ask(place, row, claim)) return doubt;
   }
   return std::nullopt;

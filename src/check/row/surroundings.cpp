@@ -324,9 +324,8 @@ void heed_existence(RowPlace& place, const StepReading& row, const Claim& claim,
   if (judgement.verdict != Verdict::proved || judgement.exists_under.empty()) return;
   if (const std::optional<Names> names = with_what_is_said(place, row)) {
     if (judge(place.tree, *names, claim, {}, place.options.cache).verdict == Verdict::proved) return;
-    return withdraw(
-        judgement, claim,
-        {.message = "it is said for numbers for which its sums or integrals may have no value"});
+    return withdraw(judgement, claim,
+                    {.message = "it is said for numbers for which its sums or integrals may have no value"});
   }
   std::set<SymbolId> letters;
   for (const Equation& condition : judgement.exists_under)

@@ -35,11 +35,11 @@ struct Judgement {
   std::optional<Sample> sample = {};                   // refuted: as the exact side gave it
   std::vector<Repair> repairs = {};                    // suspect: what may have been meant
   std::vector<Equation> exists_under = {};  // proved: of a sum or an integral that is taken to exist
-  bool measures = false;                   // proved: numbers of the page give the one that it shows
-  bool restates = false;                   // a law: it says again what another one says
-  bool despite_given = false;              // a law: it fails, though assumptions of directives bear on it
-  std::vector<SymbolId> not_for_all = {};  // a law: the letters for which it reads as one
-  std::set<std::size_t> used = {};         // directives that were needed, whatever the verdict
+  bool measures = false;                    // proved: numbers of the page give the one that it shows
+  bool restates = false;                    // a law: it says again what another one says
+  bool despite_given = false;               // a law: it fails, though assumptions of directives bear on it
+  std::vector<SymbolId> not_for_all = {};   // a law: the letters for which it reads as one
+  std::set<std::size_t> used = {};          // directives that were needed, whatever the verdict
 };
 
 /// What is judged, and where it is written.

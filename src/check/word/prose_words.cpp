@@ -400,8 +400,8 @@ bool goes_on_with_the_argument(std::string_view clause) {
        "inserting", "differentiating", "integrating", "multiplying", "dividing", "eliminating"});
   static constexpr std::array<std::string_view, 6> places{"in", "inside", "outside", "if", "when", "on"};
   const Words words = words_of(clause);
-  const bool goes_on = is_one_of(word_at(words, 0), first) ||
-                       (word_at(words, 0) == "it" && word_at(words, 1) == "follows");
+  const bool goes_on =
+      is_one_of(word_at(words, 0), first) || (word_at(words, 0) == "it" && word_at(words, 1) == "follows");
   return goes_on && !word_of_a_case(clause) &&
          std::ranges::none_of(words, [](std::string_view word) { return is_one_of(word, places); });
 }

@@ -9,9 +9,9 @@
 
 namespace rigor {
 
-/// NaN where a symbol's value is NaN, and where the expression is no real scalar or is undefined there. Angles
-/// are in radians. Errors: those of the operations, so that cancellation can leave no digit. Recursion: as
-/// deep as the tree.
+/// NaN where a symbol's value is NaN, and where the expression is no real scalar or is undefined there.
+/// Angles are in radians. Errors: those of the operations, so that cancellation can leave no digit.
+/// Recursion: as deep as the tree.
 [[nodiscard]] double rough_value(const ExprTree& tree, ExprId root,
                                  const std::function<double(SymbolId)>& of_symbol);
 

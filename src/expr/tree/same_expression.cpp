@@ -41,7 +41,8 @@ class Comparison {
     const ExprNode& p = a_[bare(a_, x)];
     const ExprNode& q = b_[bare(b_, y)];
     const bool components = p.op == Op::component || q.op == Op::component;
-    return !components && (p.op != q.op || p.rank != q.rank || (p.op == Op::symbol && !same_symbols(p.symbol, q.symbol)));
+    return !components &&
+           (p.op != q.op || p.rank != q.rank || (p.op == Op::symbol && !same_symbols(p.symbol, q.symbol)));
   }
 
   /// A written 0, or a component of one.

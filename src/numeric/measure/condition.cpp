@@ -15,7 +15,7 @@ namespace rigor {
 namespace {
 
 constexpr int bits_of_condition = 20;  // of a condition number
-constexpr int bits_that_matter = 60;  // below 2^-60 a condition number multiplies an error by nothing
+constexpr int bits_that_matter = 60;   // below 2^-60 a condition number multiplies an error by nothing
 
 /// |y| where that is larger than |x|, with a bound that holds for either.
 template <class Number>
