@@ -31,6 +31,7 @@ constexpr int most_corrections = 40;  // a double root takes one for each bit
 constexpr double holds_within = 1e-12;
 constexpr double differs_by = 1e-4;  // relative to the sides, and absolute: numbers are drawn near 1
 constexpr double largest_step = 2;
+constexpr double clear_step = 1e-3;  // a point that is nearer to where the claim holds tells nothing
 
 using Slope = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_numbers, 1>;
 
@@ -205,8 +206,12 @@ class RoughScreen {
       Eigen::VectorXd point = drawn(draw);
       if (!move_onto_equations(point) || !keeps_orders(point)) continue;
       const auto claim = sides_of(scope_.question().claim, point);
-      if (!claim) continue;
+      auto all = equations_at(point);
+      if (!claim || !all) continue;
       if (std::ranges::none_of(*claim, &Sides::differ)) return false;
+      // Where a divisor of the claim has become 0, the least step would do: `\mu \to 0` of 1/\mu.
+      std::ranges::copy(*claim, std::back_inserter(*all));
+      if (step_onto(*all, point).norm() < clear_step) continue;
       ++points;
     }
     return points == wanted_rough_points;
@@ -280,23 +285,28 @@ class RoughScreen {
       const auto equations = equations_at(point);
       if (!equations || equations->size() > most_rough_equations) return false;
       if (std::ranges::all_of(*equations, &Sides::agree)) return true;
-      const auto rows = static_cast<Eigen::Index>(equations->size());
-      Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(rows, point.size());
-      Eigen::VectorXd differences(rows);
-      for (Eigen::Index row = 0; row < rows; ++row) {
-        const Sides& own = (*equations)[static_cast<std::size_t>(row)];
-        differences[row] = own.difference();
-        const Slope slope = sum_of(1, own.left.slope, -1, own.right.slope);
-        if (slope.size() > 0) slopes.row(row) = slope.transpose();
-      }
-      Eigen::VectorXd step = slopes.completeOrthogonalDecomposition().solve(differences);
+      const Eigen::VectorXd step = step_onto(*equations, point);
       const double size = step.norm();
-      if (!std::isfinite(size)) return false;
       const double most = largest_step * std::sqrt(static_cast<double>(point.size()));
-      if (size > most) step *= most / size;
-      point -= step;
+      if (!std::isfinite(size)) return false;
+      point -= size > most ? Eigen::VectorXd(step * (most / size)) : step;
     }
     return false;
+  }
+
+  /// The least one that takes away all differences, as far as slopes tell; to be subtracted.
+  [[nodiscard]] static Eigen::VectorXd step_onto(const std::vector<Sides>& equations,
+                                                 const Eigen::VectorXd& point) {
+    const auto rows = static_cast<Eigen::Index>(equations.size());
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(rows, point.size());
+    Eigen::VectorXd differences(rows);
+    for (Eigen::Index row = 0; row < rows; ++row) {
+      const Sides& own = equations[static_cast<std::size_t>(row)];
+      differences[row] = own.difference();
+      const Slope slope = sum_of(1, own.left.slope, -1, own.right.slope);
+      if (slope.size() > 0) slopes.row(row) = slope.transpose();
+    }
+    return slopes.completeOrthogonalDecomposition().solve(differences);
   }
 
   /// Not nearly: a point where a divisor almost vanishes tells nothing.

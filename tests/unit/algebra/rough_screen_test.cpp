@@ -49,6 +49,20 @@ TEST_CASE("a double root is met nearly, and its letter vanishes there", "[algebr
   CHECK_FALSE(fails(page.claim(a, 3 * b)));
 }
 
+TEST_CASE("a letter that Newton's method takes to 0 tells nothing where it divides", "[algebra]") {
+  Page page;
+  const Named m = page.scalar("m");
+  const Named j = page.vector("j");
+  const Named k = page.vector("k");
+  const Named b = page.vector("b");
+  const Named c = page.vector("c");
+  page.given(b - c, m * j);
+  page.given(cross(b, c), m * k);
+  CHECK_FALSE(fails(page.claim(dot(b - c, b + c) / m, dot(j, b + c))));
+  CHECK_FALSE(fails(page.claim(cross(b, c) / m + (b - c) / m, j + k)));
+  CHECK(fails(page.claim(cross(b, c) / m + (b - c) / m, j - k)));
+}
+
 TEST_CASE("without a point at which the assumptions hold nothing fails", "[algebra]") {
   Page page;
   const Named a = page.scalar("a");
