@@ -214,19 +214,20 @@ std::vector<Coordinate> AssumptionSolver::candidates(const SamplePoint& point, s
 
 /// All components at once, for the numbers of some symbols, the last particle's first: by differences, and
 /// then verified, since the assumptions need not be linear in them.
+std::vector<Rational> AssumptionSolver::residuals_at(const Search& search, const SamplePoint& point,
+                                                     std::size_t assumption) const {
+  search.evaluator.look_at(point);
+  return search.evaluator.residuals(equation(assumption));
+}
+
+/// `residuals`: of each of the assumptions at the point as it is.
 bool AssumptionSolver::solve_together(Search& search, std::span<const std::size_t> assumptions,
-                                      std::span<const SymbolId> symbols) const {
+                                      std::span<const SymbolId> symbols,
+                                      const std::vector<std::vector<Rational>>& residuals) const {
   SamplePoint changed = search.point;
-  const auto residuals_of = [&](std::size_t assumption) {
-    search.evaluator.look_at(changed);
-    return search.evaluator.residuals(equation(assumption));
-  };
-  std::vector<std::vector<Rational>> residuals;
+  const auto residuals_of = [&](std::size_t assumption) { return residuals_at(search, changed, assumption); };
   std::vector<Rational> right;
-  for (const std::size_t assumption : assumptions) {
-    residuals.push_back(residuals_of(assumption));
-    right.insert(right.end(), residuals.back().begin(), residuals.back().end());
-  }
+  for (const std::vector<Rational>& each : residuals) right.insert(right.end(), each.begin(), each.end());
   if (all_zero(right)) return true;
   const std::vector<Coordinate> unknowns = unknowns_of(search, assumptions, symbols);
   LinearColumns columns;
@@ -295,7 +296,9 @@ void AssumptionSolver::solve_derivatives(Search& search, int order) const {
   }
   if (together.size() < 2) return;
   try {
-    static_cast<void>(solve_together(search, together, symbols));
+    std::vector<std::vector<Rational>> residuals;
+    for (const std::size_t each : together) residuals.push_back(residuals_at(search, search.point, each));
+    static_cast<void>(solve_together(search, together, symbols, residuals));
   } catch (const PointRejected&) {
     // not polynomials in these numbers: each for itself may do
   }
@@ -332,10 +335,16 @@ bool AssumptionSolver::solve_place_by_place(Search& search, std::size_t assumpti
 bool AssumptionSolver::solve_equation(Search& search, std::size_t assumption) const {
   const std::vector<SymbolId>& symbols = symbols_[assumption];
   const std::size_t first = search.attempt % 4 == 3 ? search.attempt / 4 % symbols.size() : 0;
+  std::vector<std::vector<Rational>> residuals;
+  try {
+    residuals.push_back(residuals_at(search, search.point, assumption));
+  } catch (const PointRejected&) {
+    return solve_place_by_place(search, assumption);
+  }
   for (std::size_t i = 0; i < symbols.size(); ++i) {
     try {
       const SymbolId symbol = symbols[(first + i) % symbols.size()];
-      if (solve_together(search, std::span(&assumption, 1), std::span(&symbol, 1))) return true;
+      if (solve_together(search, std::span(&assumption, 1), std::span(&symbol, 1), residuals)) return true;
     } catch (const PointRejected&) {
       // not a polynomial in these numbers: others may do
     }

@@ -45,8 +45,11 @@ class AssumptionSolver {
   [[nodiscard]] bool solve_equations(SampleEvaluator& evaluator, SamplePoint& point,
                                      std::uint32_t attempt) const;
   [[nodiscard]] bool solve_equation(Search& search, std::size_t assumption) const;
+  [[nodiscard]] std::vector<Rational> residuals_at(const Search& search, const SamplePoint& point,
+                                                   std::size_t assumption) const;
   [[nodiscard]] bool solve_together(Search& search, std::span<const std::size_t> assumptions,
-                                    std::span<const SymbolId> symbols) const;
+                                    std::span<const SymbolId> symbols,
+                                    const std::vector<std::vector<Rational>>& residuals) const;
   [[nodiscard]] std::vector<Coordinate> unknowns_of(const Search& search,
                                                     std::span<const std::size_t> assumptions,
                                                     std::span<const SymbolId> symbols) const;
