@@ -465,6 +465,7 @@ std::optional<IntegralValues::Parts> IntegralValues::by_parts(const IntegrandTer
 }
 
 std::optional<IntegralValue> IntegralValues::value(const Integral& asked, Span span) {
+  if (tree_.symbols[asked.variable].rank > 0) return std::nullopt;  // r is the length of a vector
   IntegralValue result;
   Integral integral = asked;
   integral.integrand = bare(asked);

@@ -238,6 +238,8 @@ MaybeTyped product_of_matrices(Reading& reading, std::vector<Typed> numbers,
     if (product->rank == 0) {
       numbers.push_back(*product);
       product = factors[k];
+    } else if (factors[k].rank == 0) {
+      numbers.push_back(factors[k]);
     } else {
       product = product_of_two(reading, *product, factors[k],
                                cover(reading.tree[product->id].span, reading.tree[factors[k].id].span));

@@ -124,7 +124,7 @@ std::optional<std::vector<Operand>> multiply(Reading& reading, std::vector<Opera
     }
     if (cross && (left.rank != 1 || right.rank != 1))
       return unsupported(reading, vectors[k].joint_span, "a cross product with a tensor is not decided");
-    if (!cross && left.rank == 0)
+    if (!cross && (left.rank == 0 || right.rank == 0))
       return ambiguous(reading, vectors[k].joint_span, "`A · B · C` has two readings",
                        {"put one of the two products in brackets"});
     const Span span = cover(tree[left.id].span, tree[right.id].span);
@@ -284,7 +284,7 @@ MaybeTyped product_of(Reading& reading, std::vector<Operand> operands, Span span
   auto product = product_of_numbers(reading, operands, span);
   bool unit = false;
   for (Operand& operand : operands) {
-    if (!operand.typed.with_unit) continue;
+    if (!operand.typed.with_unit || operand.typed.rank > 0) continue;
     unit = true;
     operand.typed.id = *operand.typed.with_unit;
   }

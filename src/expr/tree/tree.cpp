@@ -161,7 +161,26 @@ void check_symbol(const SymbolTable& symbols, const ExprNode& node) {
          std::ranges::all_of(digits, [](char c) { return c == '.' || is_digit(c); });
 }
 
+template <class Value>
+[[nodiscard]] std::vector<Value> with_room(const std::vector<Value>& from) {
+  std::vector<Value> copy;
+  copy.reserve(from.size() + from.size() / 4 + 16);
+  copy.insert(copy.end(), from.begin(), from.end());
+  return copy;
+}
+
 }  // namespace
+
+ExprTree::ExprTree(const ExprTree& other)
+    : symbols(other.symbols),
+      nodes_(with_room(other.nodes_)),
+      children_(with_room(other.children_)),
+      slots_(with_room(other.slots_)),
+      numbers_(with_room(other.numbers_)),
+      tables_(other.tables_),
+      index_names_(other.index_names_),
+      index_spaces_(other.index_spaces_),
+      particle_names_(other.particle_names_) {}
 
 IndexId ExprTree::add_index(std::string name, Space space) {
   RIGOR_CHECK(space.dimension >= 1 && space.dimension <= most_dimensions, name, space.dimension);

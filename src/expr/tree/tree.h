@@ -106,6 +106,14 @@ struct Table {
 
 class ExprTree {
  public:
+  ExprTree() = default;
+  /// With room for a quarter more: copies are made to be added to.
+  ExprTree(const ExprTree& other);
+  ExprTree(ExprTree&&) = default;
+  ExprTree& operator=(const ExprTree&) = default;
+  ExprTree& operator=(ExprTree&&) = default;
+  ~ExprTree() = default;
+
   SymbolTable symbols;
 
   IndexId add_index(std::string name, Space space = common_space);

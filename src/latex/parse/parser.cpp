@@ -122,7 +122,14 @@ SyntaxId Parser::expression(TokenView tokens, Span place) {
                        joint, joint_span});
       break;
     }
+    const std::size_t begin = cursor.at;
     SyntaxId node = term(cursor);
+    if (cursor.at == begin) {  // at a differential that may be of an integral around this one
+      const TokenView rest = cursor.tokens.subspan(begin);
+      read(rest);
+      node = opaque(span_of(rest), "two differentials in one integral are not read");
+      cursor.at = cursor.tokens.size();
+    }
     span = cover(span, tree_[node].span);
     if (!terms.empty() && ends_at_bar(node))
       node = opaque(tree_[node].span, "the bar can be about this term or about all terms before it",
