@@ -24,9 +24,9 @@ struct PageLaw {
   std::string name;  // as a verdict names it: `law (3)`, `law in line 12`, `result in line 14`
   Span span = {};
   std::size_t place = 0;        // its section, as `Sections` counts them
-  std::size_t paragraph = 0;    // and its paragraph
+  std::size_t argument = 0;     // and its argument, as `ProseBeside` counts them
   bool at_instant = false;      // it may hold at one moment or place only: it says nothing of rates
-  bool of_a_case = false;       // behind "for critical damping": it holds in its paragraph only
+  bool of_a_case = false;       // behind "for critical damping": it holds in its argument only
   bool of_its_own = false;      // words before it speak of something: "Particle B obeys"
   bool names_a_letter = false;  // "with $N = a^\dagger a$": a letter that is new there
   bool by_convention = false;   // `\hat x^\dagger = \hat x`: beside every set of laws, where adjoints are

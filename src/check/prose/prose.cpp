@@ -169,6 +169,7 @@ class ProseReader {
       beside.sentence = number_;
       beside.place = place_;
       beside.paragraph = paragraph_;
+      beside.argument = argument_;
       if (event.kind == ProseEvent::Kind::display) ++displays_;
       beside.displays = displays_;
       if (event.kind != ProseEvent::Kind::display) continue;
@@ -210,8 +211,8 @@ class ProseReader {
     end_tail();
     const bool has_display = sentence_.find('\n') != std::string::npos;
     if (sentence_.find_first_not_of(" \n") != std::string::npos)
-      prose_.sentences.push_back({sentence_, number_, place_, paragraph_, displays_before_, has_display,
-                                  ending == '?', std::move(maths_)});
+      prose_.sentences.push_back({sentence_, number_, place_, paragraph_, argument_, displays_before_,
+                                  has_display, ending == '?', std::move(maths_)});
     const std::vector<SaidOf> said_of_each = said_of(sentence_, texts_);
     for (std::size_t k = prose_.said.size(); k-- > 0 && prose_.said[k].sentence == number_;) {
       SaidInLine& said = prose_.said[k];
@@ -308,8 +309,11 @@ class ProseReader {
     if ((lines > 1 || (lines == 1 && behind_display)) && capital) end_sentence();
     // In Markdown blank lines stand around displays; the sentence that has one in it is of one paragraph.
     const bool meets_display = at == text.size() ? !behind_display : behind_display && !capital;
-    const bool goes_on = capital && goes_on_with_the_argument(lowered(clause_at(text, at)));
-    if (lines > 1 && (sentence_.empty() || !meets_display) && !goes_on) ++paragraph_;
+    const std::string clause = capital ? lowered(clause_at(text, at)) : std::string();
+    const bool ends = lines > 1 && (sentence_.empty() || !meets_display);
+    const bool goes_on = ends && goes_on_with_the_argument(clause);
+    if (ends && !goes_on) ++paragraph_;
+    if ((ends && !goes_on) || (sentence_.empty() && begins_a_case(clause))) ++argument_;
     if (!sentence_.empty() && sentence_.back() != ' ') sentence_ += ' ';
     return at;
   }
@@ -403,6 +407,7 @@ class ProseReader {
   std::vector<MathsInLine> texts_;
   bool at_place_ = false;
   std::size_t paragraph_ = 0;
+  std::size_t argument_ = 0;
   std::size_t displays_ = 0;
   std::size_t displays_before_ = 0;  // the sentence
 };

@@ -49,6 +49,7 @@ struct ProseSentence {
   std::size_t number = 0;
   std::size_t place = 0;
   std::size_t paragraph = 0;
+  std::size_t argument = 0;  // as in `ProseBeside`
   std::size_t displays = 0;  // that are before it
   bool has_display = false;
   bool asks = false;             // it ends with a question mark
@@ -63,6 +64,7 @@ struct ProseBeside {
   std::size_t sentence = 0;
   std::size_t place = 0;
   std::size_t paragraph = 0;
+  std::size_t argument = 0;  // its paragraph, or the part of it up to where another case begins
   std::size_t displays = 0;  // up to this one, if it is one
 };
 

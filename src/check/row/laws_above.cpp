@@ -101,6 +101,10 @@ bool names_a_rate(const ExprTree& tree, const Equation& equation) {
          (is_name(equation.left) && is_rate(equation.right));
 }
 
+bool has_integral(const ExprTree& tree, ExprId side) {
+  return tree[side].op == Op::symbol && tree.symbols[tree[side].symbol].integral.has_value();
+}
+
 /// `\dot x = 0`, `x = a`, `\phi_1 = \phi_2`: letters and nothing else.
 bool sets_letters_equal(const ExprTree& tree, const Equation& equation) {
   const auto is_bare = [&](ExprId side) {
@@ -188,7 +192,7 @@ bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& r
   const bool said = std::ranges::all_of(
       stated.conditions, [&](const std::string& each) { return is_one_of(each, reach.conditions); });
   if (!said) return false;
-  const bool in_reach = law.paragraph == here.paragraph || is_named_beside(place, stated);
+  const bool in_reach = law.argument == here.argument || is_named_beside(place, stated);
   if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
   const bool reaches = sections.reaches(law.place, here.place);
   if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place) ||
@@ -235,11 +239,11 @@ std::string_view word_of(Standing standing) {
 
 bool is_of_a_moment(const RowPlace& place) {
   static constexpr auto moments = std::to_array<std::string_view>(
-      {"when",    "where",   "whenever", "initially", "boundary",    "surface",  "interface",
-       "edge",    "wall",    "top",      "bottom",    "turning",     "instant",  "moment",
-       "meet",    "meets",   "reaches",  "reached",   "vanishes",    "maximum",  "minimum",
-       "once",    "until",   "after",    "before",    "during",      "starts",   "ends",
-       "however", "clamped", "fixed",    "rest",      "equilibrium", "grounded", "finally"});
+      {"when",    "where",   "whenever", "initially",   "boundary", "surface", "interface", "edge",
+       "wall",    "top",     "bottom",   "turning",     "instant",  "moment",  "meet",      "meets",
+       "reaches", "reached", "vanishes", "maximum",     "minimum",  "once",    "until",     "after",
+       "before",  "during",  "starts",   "ends",        "stops",    "axis",    "conductor", "however",
+       "clamped", "fixed",   "rest",     "equilibrium", "grounded", "finally"});
   static constexpr std::array<std::string_view, 5> all{"all", "any", "every", "each", "least"};
   const std::string lead = lowered(beside(place).lead);
   const std::vector<std::string_view> words = words_of(lead);
@@ -251,6 +255,20 @@ bool is_of_a_moment(const RowPlace& place) {
   const std::string tail = lowered(beside(place).tail);
   const std::vector<std::string_view> behind = words_of(tail);
   return !behind.empty() && (behind[0] == "at" || behind[0] == "when" || behind[0] == "initially");
+}
+
+bool says_values_at_a_moment(const RowPlace& place, const Equation& equation) {
+  if (!is_of_a_moment(place) || says_that_it_follows(beside(place).lead)) return false;
+  const ExprTree& tree = place.tree;
+  if (sets_letters_equal(tree, equation))
+    return !has_integral(tree, equation.left) && !has_integral(tree, equation.right);
+  // `x_1 = x_2 + h`: two of a kind meet.
+  const auto name = [&](ExprId id) {
+    return tree[id].op == Op::symbol ? without_labels(tree.symbols[tree[id].symbol].name) : std::string();
+  };
+  const auto is_of_its_kind = [&](const SignedTerm& term) { return name(term.id) == name(equation.left); };
+  return !name(equation.left).empty() && tree[equation.right].op == Op::add &&
+         std::ranges::any_of(signed_terms(place.tree, equation.right), is_of_its_kind);
 }
 
 bool is_an_example(const RowPlace& place) {
@@ -274,15 +292,21 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
       has_operators(place.tree, equation.left) || has_operators(place.tree, equation.right);
   const bool sets = sets_letters_equal(place.tree, equation);
   const bool of_values = is_about_values(place, equation);
+  const auto is_of_this_case = [&](const StatedLaw& each) {
+    return each.law.of_a_case && each.law.argument == here.argument;
+  };
+  const bool in_a_case =
+      announces_a_conclusion(here.lead) && std::ranges::any_of(place.above.stated, is_of_this_case);
   const bool lasts = of_values || (!momentary && says_that_a_field_vanishes(place, equation));
   PageLaw law{.equation = equation,
               .name = name_of_law(parsed.written.tag, relation, place.sources, word_of(standing)),
               .span = relation,
               .place = here.place,
-              .paragraph = here.paragraph,
+              .argument = here.argument,
               .at_instant = (momentary || sets) && !lasts,
-              .of_a_case = ((momentary || sets) && !of_values) || is_an_example(place) || beside_an_arrow ||
-                           is_conditional(place, !operators) || is_value(place.tree, equation),
+              .of_a_case = in_a_case || ((momentary || sets) && !of_values) || is_an_example(place) ||
+                           beside_an_arrow || is_conditional(place, !operators) ||
+                           is_value(place.tree, equation),
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
               .standing = standing};
   place.found.stated.push_back({.law = std::move(law),
@@ -368,7 +392,7 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
                                     place.sources.line_column(said.span.file, said.span.begin).line),
                 .span = said.span,
                 .place = said.place,
-                .paragraph = sentence->paragraph,
+                .argument = sentence->argument,
                 .of_a_case = word_that_demands(words) || word_of_a_special_case(words),
                 .names_a_letter = brings_in};
     place.found.stated.push_back({.law = std::move(law),

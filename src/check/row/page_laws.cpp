@@ -156,7 +156,7 @@ std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& ro
                     .name = fact.text,
                     .span = fact.span,
                     .place = fact.place,
-                    .paragraph = here.paragraph,
+                    .argument = here.argument,
                     .at_instant = fact.at_instant,
                     .of_a_case = true});
   }

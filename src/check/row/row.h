@@ -94,6 +94,8 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 [[nodiscard]] Laws named_beside(const RowPlace& place, const Laws& available);
 /// "At the top", "the boundary condition is": words before a row that say it for a moment or a place.
 [[nodiscard]] bool is_of_a_moment(const RowPlace& place);
+/// `x = 0`, `\phi = \phi_0`, `x_1 = x_2 + h` behind such words: it defines nothing, and has no rate.
+[[nodiscard]] bool says_values_at_a_moment(const RowPlace& place, const Equation& equation);
 /// "For instance": it holds where the example does.
 [[nodiscard]] bool is_an_example(const RowPlace& place);
 

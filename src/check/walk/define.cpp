@@ -200,6 +200,10 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
   const bool named_definition =
       parsed.written.relations[0].kind == RelationKind::defines || context.role == Role::let ||
       (context.role == Role::display && is_said_to_explain(place_here(walk), parsed));
+  const Equation written{.left = left.typed->id, .right = right.typed->id};
+  if (context.role == Role::display && !named_definition &&
+      says_values_at_a_moment(place_here(walk), written))
+    return false;
   if (square && !named_definition && !stands_in_brackets(walk.notes.syntax, parsed.sides[0])) return false;
   const bool rate = walk.tree.symbols[definition->symbol].derivation.has_value();  // a law, not a name
   const bool known = definition_of(walk.names.scope, definition->symbol) != nullptr;

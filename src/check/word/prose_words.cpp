@@ -396,14 +396,27 @@ std::optional<std::string> word_that_concludes(std::string_view lead) {
 
 bool goes_on_with_the_argument(std::string_view clause) {
   static constexpr auto first = std::to_array<std::string_view>(
-      {"hence", "thus", "therefore", "consequently", "accordingly", "so", "then", "taking", "substituting",
-       "inserting", "differentiating", "integrating", "multiplying", "dividing", "eliminating"});
-  static constexpr std::array<std::string_view, 6> places{"in", "inside", "outside", "if", "when", "on"};
+      {"hence", "thus", "therefore", "consequently", "accordingly", "so", "then", "it", "taking",
+       "differentiating", "integrating", "squaring", "multiplying", "dividing"});
+  static constexpr auto more = std::to_array<std::string_view>(
+      {"follows",    "that",     "we",         "find", "get",  "obtain", "have", "the",   "a",     "curl",
+       "divergence", "gradient", "derivative", "rate", "time", "trace",  "both", "sides", "twice", "again",
+       "this",       "gives",    "yields",     "of",   "by",   "and",    "once", "more",  "also"});
   const Words words = words_of(clause);
-  const bool goes_on =
-      is_one_of(word_at(words, 0), first) || (word_at(words, 0) == "it" && word_at(words, 1) == "follows");
-  return goes_on && !word_of_a_case(clause) &&
-         std::ranges::none_of(words, [](std::string_view word) { return is_one_of(word, places); });
+  return is_one_of(word_at(words, 0), first) &&
+         std::ranges::all_of(words.begin() + 1, words.end(),
+                             [](auto word) { return is_one_of(word, first) || is_one_of(word, more); });
+}
+
+bool begins_a_case(std::string_view clause) {
+  static constexpr auto first =
+      std::to_array<std::string_view>({"for", "in", "at", "on", "inside", "outside", "within", "between",
+                                       "above", "below", "near", "far", "off", "without", "before", "after"});
+  static constexpr auto pointing =
+      std::to_array<std::string_view>({"this", "that", "these", "those", "terms", "other", "addition", "fact",
+                                       "order", "what", "which", "convenience", "brevity", "words", "we"});
+  const Words words = words_of(clause);
+  return words.size() > 1 && is_one_of(words[0], first) && !is_one_of(words[1], pointing);
 }
 
 bool has_own_words(std::string_view lead) {

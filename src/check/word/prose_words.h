@@ -41,9 +41,11 @@ namespace rigor {
 /// "therefore", "hence", "so", "which gives": only words that claim that it follows. "Then" and "is equal to"
 /// also bring in what is merely stated. The first such words.
 [[nodiscard]] std::optional<std::string> word_that_concludes(std::string_view lead);
-/// "Hence", "It follows that", "Taking the curl": what begins so goes on with the case of the paragraph
-/// before, unless it speaks of a case itself.
+/// "Hence", "It follows that", "Taking the curl", and no other words: what begins so goes on with the case of
+/// the paragraph before.
 [[nodiscard]] bool goes_on_with_the_argument(std::string_view clause);
+/// "For a diatomic gas", "In matter", "At the bottom": what begins so is about another case than what is before.
+[[nodiscard]] bool begins_a_case(std::string_view clause);
 [[nodiscard]] inline bool says_that_it_follows(std::string_view lead) {
   return word_that_concludes(lead).has_value();
 }
