@@ -51,9 +51,8 @@ std::string first_difference(const std::string& one, const std::string& two) {
   }
 }
 
-/// The JSON of the notes that are wrong, from several processes, is a case of formats_test.cpp.
-TEST_CASE("the terminal report of what holds is the same twice in one process, and in another one") {
-  const Words arguments = check_all({"pass", "run", "../../derivations"}, {"--color", "always"});
+TEST_CASE("the terminal report of all notes is the same twice in one process, and in another one", "[long]") {
+  const Words arguments = check_all({"pass", "fail", "run", "../../derivations"}, {"--color", "always"});
   const std::string report = without_time(run_inside(arguments).text);
   CHECK(first_difference(report, without_time(run_inside(arguments).text)) == "");
   CHECK(first_difference(report, without_time(run_program(arguments).text)) == "");

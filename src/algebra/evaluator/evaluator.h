@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The value of an expression, in components: written once, for numbers of any kind. A value of rank r is an
-// array of 3^r numbers, row by row. The two kinds are exact rationals (`sample_evaluator.h`) and rational
-// functions at the generic point (`generic_evaluator.h`). A kind is a class Domain with
+// array of 3^r numbers, row by row. The kinds are exact rationals (`sample_evaluator.h`), rational
+// functions at the generic point (`generic_evaluator.h`) and doubles with slopes (`rough_screen.cpp`). A kind
+// is a class Domain with
 //
 //   Number                                        copyable; Number{} is 0
 //   Number number(const std::string& digits)      Number integer(int)       bool is_zero(const Number&)
@@ -14,7 +15,8 @@
 //   Number value(SymbolId, std::uint32_t particle, std::size_t component)          (of a free symbol)
 //   std::vector<Number> particle_sum(std::size_t count, body)   body(particle) gives `count` numbers
 //   Number even_power_of_root(const Number& square, int exponent)
-//   void check_root(const Number& square)         throws where `root` does because there is no real root
+//   void check_root(const Number& square)         throws or rejects where `root` does because there is no
+//                                                 real root
 //   void settle(Number&)                          for a value that will be used again: brings it into its
 //                                                 simplest form
 //   void step()                                   counts the work; throws where it is too much

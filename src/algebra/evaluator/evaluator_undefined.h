@@ -7,7 +7,8 @@
 
 namespace rigor {
 
-/// Throws what evaluating would throw where there is no value. A root needs no value that is known exactly.
+/// Throws or rejects as evaluating would where there is no value. A root needs no value that is known
+/// exactly.
 template <class Domain>
 void Evaluator<Domain>::demand_value(ExprId id) {
   if (!may_lack_value(id)) return;

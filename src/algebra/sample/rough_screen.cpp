@@ -33,7 +33,7 @@ constexpr double differs_by = 1e-4;  // relative to the sides, and absolute: num
 constexpr double largest_step = 2;
 constexpr double clear_step = 1e-3;  // a point that is nearer to where the claim holds tells nothing
 
-using Slope = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_numbers, 1>;
+using Slope = Eigen::VectorXd;  // on the heap: the evaluator holds many of them, one inside the other
 
 /// A value and how it changes with each number of the point; no slope at all: not at all.
 struct Sloped {
@@ -211,7 +211,7 @@ class RoughScreen {
       if (std::ranges::none_of(*claim, &Sides::differ)) return false;
       // Where a divisor of the claim has become 0, the least step would do: `\mu \to 0` of 1/\mu.
       std::ranges::copy(*claim, std::back_inserter(*all));
-      if (step_onto(*all, point).norm() < clear_step) continue;
+      if (!(step_onto(*all, point).norm() >= clear_step)) continue;
       ++points;
     }
     return points == wanted_rough_points;

@@ -11,7 +11,7 @@ namespace rigor {
 /// True only where the sides of an equation clearly differ at several points at which all assumptions hold,
 /// so that a proof would be a surprise. It refutes nothing. Points are real numbers of double precision,
 /// drawn from a fixed sequence and moved onto the assumptions by Newton's method with the smallest steps;
-/// thresholds are orders of magnitude apart, so that rounding does not decide. False where that does not
+/// thresholds are orders of magnitude apart, so that rounding hardly decides. False where that does not
 /// work: of operators and rotations, of more than 128 numbers, and where no point is found.
 /// The budget may be none.
 [[nodiscard]] bool fails_at_rough_points(const Question& question, Budget* budget);

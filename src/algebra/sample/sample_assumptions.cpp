@@ -212,15 +212,15 @@ std::vector<Coordinate> AssumptionSolver::candidates(const SamplePoint& point, s
   return found;
 }
 
-/// All components at once, for the numbers of some symbols, the last particle's first: by differences, and
-/// then verified, since the assumptions need not be linear in them.
 std::vector<Rational> AssumptionSolver::residuals_at(const Search& search, const SamplePoint& point,
                                                      std::size_t assumption) const {
   search.evaluator.look_at(point);
   return search.evaluator.residuals(equation(assumption));
 }
 
-/// `residuals`: of each of the assumptions at the point as it is.
+/// All components at once, for the numbers of some symbols, the last particle's first: by differences, and
+/// then verified, since the assumptions need not be linear in them. `residuals`: of each of the assumptions
+/// at the point as it is.
 bool AssumptionSolver::solve_together(Search& search, std::span<const std::size_t> assumptions,
                                       std::span<const SymbolId> symbols,
                                       const std::vector<std::vector<Rational>>& residuals) const {

@@ -159,8 +159,34 @@ class Heeding {
     return judgement;
   }
 
-  Judgement judge_with(const std::vector<const Fact*>& facts) {
+  /// Letters that only the facts have: m of `m\mathbf v_1 + m\mathbf v_2 = 0`. Nobody who writes them means
+  /// 0.
+  std::set<SymbolId> factors_of(const std::vector<const Fact*>& facts) const {
+    const std::set<SymbolId> own = base_letters(tree_, names_.scope, claim_.equation);
+    std::set<SymbolId> factors;
+    for (const Fact* fact : facts) {
+      for (const SymbolId letter : base_letters(tree_, names_.scope, fact->equation)) {
+        const Symbol& symbol = tree_.symbols[letter];
+        const bool number =
+            symbol.rank == 0 && !symbol.per_particle && !symbol.is_fixed() && !symbol.integral;
+        if (number && !own.contains(letter) && definition_of(names_.scope, letter) == nullptr)
+          factors.insert(letter);
+      }
+    }
+    return factors;
+  }
+
+  /// `nonzero`: letters that do not vanish.
+  Judgement judge_with(const std::vector<const Fact*>& facts, const std::set<SymbolId>& nonzero = {}) {
     Names names = names_;
+    for (const SymbolId letter : nonzero) {
+      const Span span = claim_.relation;
+      const Equation condition{.left = tree_.add({.op = Op::symbol, .span = span, .symbol = letter}),
+                               .right = tree_.add_number(span, "0"),
+                               .relation = Relation::unequal};
+      assume(names.scope,
+             {condition, Origin{"convention: what is divided by is not 0", {}, std::nullopt}, 0});
+    }
     for (const Fact* fact : facts) {
       Origin origin{fact->text, {}, std::nullopt};
       if (fact->proves) {
@@ -357,6 +383,8 @@ class Heeding {
 
   bool holds_with_what_is_said_here(const std::vector<const Fact*>& bearing) {
     Judgement other = judge_with(bearing);
+    const std::set<SymbolId> factors = factors_of(bearing);
+    if (other.verdict == Verdict::refuted && !factors.empty()) other = judge_with(bearing, factors);
     if (other.verdict == Verdict::refuted) {
       if (other.counterexample && judgement_.counterexample) keep_what_is_asked(*other.counterexample);
       other.used = std::move(judgement_.used);

@@ -38,8 +38,8 @@ std::optional<Judgement> restating(const RowUnderLaws& row, const Laws& bearing)
   return std::nullopt;
 }
 
-/// The sets that may prove the row, the smallest first, each with what is beside all of them. What fails on a
-/// sample of a set follows from no part of it, so the largest set is looked at first.
+/// The sets that may prove the row, the smallest first, each with what is beside all of them. What fails at
+/// points that meet a set follows from no part of it, so the largest set is looked at first.
 std::vector<Laws> promising_sets(const RowUnderLaws& row, const Laws& bearing, const Laws& beside) {
   std::vector<Laws> sets = sets_of(row.tree, bearing);
   for (Laws& set : sets) set.insert(set.end(), beside.begin(), beside.end());

@@ -37,8 +37,8 @@ struct RowUnderLaws {
 /// of the laws, not of the row. `ab = cb` says that a = c unless b is 0, whatever b is otherwise.
 [[nodiscard]] std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set);
 
-/// Was a sample found that meets all these laws, and on which the row fails? Then it follows from no part of
-/// them either. Letters of the laws that the row does not have are not 0 there.
+/// Does the row clearly fail where all these laws hold, at rough points? Then it is to be expected to follow
+/// from no part of them either. Letters of the laws that the row does not have are not 0 there.
 [[nodiscard]] bool fails_under(const RowUnderLaws& row, const Laws& set);
 
 }  // namespace rigor

@@ -49,6 +49,12 @@ struct CaseDefinition {
   std::size_t event = 0;  // and its display
 };
 
+/// A row that is not read, or that its words may restrict.
+struct RowBefore {
+  std::size_t paragraph = 0;
+  Span span = {};
+};
+
 /// What rows and directives leave for the rows below them.
 struct SaidAbove {
   std::vector<UseDirective> uses = {};
@@ -56,6 +62,7 @@ struct SaidAbove {
   std::vector<StatedLaw> stated = {};  // what rows below can follow from
   std::vector<RoundedValue> rounded = {};
   std::vector<CaseDefinition> cases = {};
+  std::optional<RowBefore> open_row = {};                      // the last one, if it is such
   std::vector<std::pair<std::size_t, Span>> unread_rows = {};  // where, and what: relations such as `\perp`
 };
 

@@ -57,8 +57,8 @@ Decision IntegralValues::ask(Equation claim) {
 
 namespace {
 
-/// At one point with numbers for all letters, π as it is; false where one has no value there.
-bool surely_differ(const ExprTree& tree, ExprId a, ExprId b) {
+/// At one point with numbers near 1 for all letters, π as it is; false where one has no value there.
+bool differ_at_a_point(const ExprTree& tree, ExprId a, ExprId b) {
   constexpr double tolerance = 1e-6;  // of rounding errors, and far below what unlike expressions differ by
   const auto value = [&](SymbolId symbol) {
     if (tree.symbols[symbol].circle_number) return std::numbers::pi;
@@ -66,7 +66,7 @@ bool surely_differ(const ExprTree& tree, ExprId a, ExprId b) {
   };
   const double at_a = rough_value(tree, a, value);
   const double at_b = rough_value(tree, b, value);
-  return std::abs(at_a - at_b) > tolerance * (std::abs(at_a) + std::abs(at_b));
+  return std::abs(at_a - at_b) > tolerance * (1 + std::abs(at_a) + std::abs(at_b));
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ bool IntegralValues::are_equal(ExprId a, ExprId b) const {
   for (const ExprId id : nodes_below(tree_, {a, b})) {
     if (tree_[id].op == Op::absolute || tree_[id].op == Op::root) return false;
   }
-  if (surely_differ(tree_, a, b)) return false;
+  if (differ_at_a_point(tree_, a, b)) return false;
   Equation claim;
   claim.left = a;
   claim.right = b;

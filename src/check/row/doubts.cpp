@@ -308,6 +308,18 @@ std::optional<Doubt> by_a_constant(RowPlace& place, const StepReading&, const Cl
   return std::nullopt;
 }
 
+/// "Then", "hence" behind a row that is not read, or that words restrict: these restrict what is concluded,
+/// too.
+std::optional<Doubt> behind_an_open_row(RowPlace& place, const StepReading&, const Claim& claim) {
+  const std::optional<RowBefore>& above = place.above.open_row;
+  const ProseBeside& here = beside(place);
+  if (!above || above->paragraph != here.paragraph || !announces_a_conclusion(here.lead) || claim.for_all)
+    return std::nullopt;
+  const LineColumn line = place.sources.line_column(above->span.file, above->span.begin);
+  return Doubt{.message = fmt::format("it may follow from the row in line {}, which is open", line.line),
+               .help = {"`rigor: claim …` asks whether it holds for all values"}};
+}
+
 }  // namespace
 
 void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
@@ -318,9 +330,10 @@ void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
 }
 
 std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row, const Claim& claim) {
-  for (const auto ask : {by_a_constant, of_letters_held, of_degrees_alone, of_a_contradiction,
-                         with_a_unit_missing, in_natural_units, about_written_zeros, of_a_matrix_and_a_number,
-                         of_another_value, among_alternatives, by_a_borrowed_letter, for_other_values}) {
+  for (const auto ask :
+       {behind_an_open_row, by_a_constant, of_letters_held, of_degrees_alone, of_a_contradiction,
+        with_a_unit_missing, in_natural_units, about_written_zeros, of_a_matrix_and_a_number,
+        of_another_value, among_alternatives, by_a_borrowed_letter, for_other_values}) {
     if (auto doubt = ask(place, row, claim)) return doubt;
   }
   return std::nullopt;

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <utility>
 
 #include "base/among.h"
 #include "base/ascii.h"
@@ -279,20 +281,35 @@ bool is_restricted(const Judgement& judgement) {
                              [](const Diagnostic& each) { return each.kind == DiagnosticKind::restricted; });
 }
 
-/// `x` of "for all $x$" or "for every real $x$" in the sentence of the row, where x is one of the letters.
+/// `x` of "for all $x$", "for every real number $x$", "for all $x, y$" in the sentence of the row, where x is
+/// one of the letters.
 std::optional<std::string> letter_said_for_all(const RowPlace& place, const std::set<SymbolId>& letters) {
+  static constexpr std::array<std::string_view, 6> between{"real",     "values",  "of",
+                                                           "positive", "integer", "whole"};
   const auto& sentences = place.notes.prose.sentences;
   const auto own = std::ranges::find(sentences, beside(place).sentence, &ProseSentence::number);
   if (own == sentences.end()) return std::nullopt;
   const std::string text = lowered(own->text);
   const std::vector<std::string_view> words = words_of(text);
   std::size_t maths = 0;
+  bool of_all = false;
   for (std::size_t k = 0; k < words.size(); ++k) {
-    if (words[k] != "$" || maths >= own->maths.size()) continue;
-    const std::string letter(without_blanks_around(place.sources.text(own->maths[maths++])));
-    const bool of_all = (k > 0 && means_all(words[k - 1])) || (k > 1 && means_all(words[k - 2]));
-    const auto is_it = [&](SymbolId each) { return place.tree.symbols[each].name == letter; };
-    if (of_all && std::ranges::any_of(letters, is_it)) return letter;
+    if (words[k] != "$") {
+      const bool goes_on = of_all && (is_one_of(words[k], between) || is_general_noun(words[k]));
+      const bool denied = k > 1 && is_one_of(words[k - 2], {"not", "never"});  // "does not hold for all"
+      const bool denied_before = k > 2 && is_one_of(words[k - 3], {"not", "never"});
+      of_all = goes_on || (means_all(words[k]) && !denied && !denied_before);
+      continue;
+    }
+    if (maths >= own->maths.size()) break;
+    const std::string_view written = without_blanks_around(place.sources.text(own->maths[maths++]));
+    if (!std::exchange(of_all, false)) continue;
+    for (const SymbolId each : letters) {
+      const std::string& name = place.tree.symbols[each].name;
+      const bool alone = written == name || (written.starts_with(name) && written.find(',') == name.size()) ||
+                         (written.starts_with(name) && written.find("\\in") != std::string_view::npos);
+      if (alone) return name;
+    }
   }
   return std::nullopt;
 }
@@ -322,13 +339,17 @@ std::optional<Names> with_what_is_said(RowPlace& place, const StepReading& row) 
 /// 1$ the series $\sum x^n$", "for all $x$".
 void heed_existence(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (judgement.verdict != Verdict::proved || judgement.exists_under.empty()) return;
+  std::vector<Equation> conditions = judgement.exists_under;
   if (const std::optional<Names> names = with_what_is_said(place, row)) {
-    if (judge(place.tree, *names, claim, {}, place.options.cache).verdict == Verdict::proved) return;
-    return withdraw(judgement, claim,
-                    {.message = "it is said for numbers for which its sums or integrals may have no value"});
+    Judgement said = judge(place.tree, *names, claim, {}, place.options.cache);
+    if (said.verdict != Verdict::proved)
+      return withdraw(
+          judgement, claim,
+          {.message = "it is said for numbers for which its sums or integrals may have no value"});
+    conditions = std::move(said.exists_under);
   }
   std::set<SymbolId> letters;
-  for (const Equation& condition : judgement.exists_under)
+  for (const Equation& condition : conditions)
     letters.merge(base_letters(place.tree, place.names.scope, condition));
   if (const auto letter = letter_said_for_all(place, letters))
     withdraw(judgement, claim,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/among.h"
 #include "check/walk/topics.h"
 
 #include <fmt/format.h>
@@ -173,6 +174,20 @@ void add_step(Walk& walk, Step step) {
   walk.report.steps.push_back(std::move(step));
 }
 
+/// For the row below.
+void leave_if_open(Walk& walk, const Step& step) {
+  const auto has = [&](std::initializer_list<DiagnosticKind> kinds) {
+    return std::ranges::any_of(step.diagnostics,
+                               [&](const Diagnostic& each) { return is_one_of(each.kind, kinds); });
+  };
+  const bool restricted =
+      step.verdict == Verdict::undecided && has({DiagnosticKind::restricted, DiagnosticKind::borrowed});
+  const bool unread = step.verdict == Verdict::not_understood && !has({DiagnosticKind::unknown_change});
+  walk.above.open_row.reset();
+  if (restricted || unread)
+    walk.above.open_row = RowBefore{walk.notes.prose.beside[walk.event].paragraph, step.span};
+}
+
 void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainReading& reading,
                ChainReading* other, const Context& context, WrittenStep* asked) {
   const auto start = Clock::now();
@@ -229,6 +244,7 @@ void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainRe
   }
   step.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   step.work = walk.options.cache->budget().used();
+  if (context.role == Role::display) leave_if_open(walk, step);
   add_step(walk, std::move(step));
 }
 

@@ -412,11 +412,13 @@ bool begins_a_case(std::string_view clause) {
   static constexpr auto first =
       std::to_array<std::string_view>({"for", "in", "at", "on", "inside", "outside", "within", "between",
                                        "above", "below", "near", "far", "off", "without", "before", "after"});
-  static constexpr auto pointing =
-      std::to_array<std::string_view>({"this", "that", "these", "those", "terms", "other", "addition", "fact",
-                                       "order", "what", "which", "convenience", "brevity", "words", "we"});
+  static constexpr auto pointing = std::to_array<std::string_view>(
+      {"particular", "components", "simplicity",  "squaring", "general",  "this", "that",
+       "these",      "those",      "terms",       "other",    "addition", "fact", "order",
+       "what",       "which",      "convenience", "brevity",  "words",    "we"});
   const Words words = words_of(clause);
-  return words.size() > 1 && is_one_of(words[0], first) && !is_one_of(words[1], pointing);
+  return words.size() > 1 && is_one_of(words[0], first) && !is_one_of(words[1], pointing) &&
+         !means_all(words[1]);
 }
 
 bool has_own_words(std::string_view lead) {

@@ -17,7 +17,8 @@ namespace rigor {
 
 /// One for each sample; infinite where the result is 0 or has no derivative, 0 where it is less than 2^-60,
 /// NaN where it is undefined or not known to 20 bits. Fewer than there are samples, or none, where all would
-/// take longer than `budget` products of numbers of 100 digits, about 0.15 µs each.
+/// take more than `budget` operations with 100 digits; more digits are taken where a like share of time
+/// allows.
 [[nodiscard]] std::vector<double> condition_numbers(const Program& program, const Samples& samples,
                                                     std::span<const std::uint32_t> at = {},
                                                     std::size_t budget = 2'000'000);

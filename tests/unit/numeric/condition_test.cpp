@@ -90,6 +90,7 @@ TEST_CASE("functions of many digits are counted for what they cost", "[numeric]"
   const Program program = compiled(page, (x + exp(-x)) - x);
   CHECK(work_of(program, samples, 1, 1'000) > 1'000);
   CHECK(std::isnan(condition_numbers(program, samples, {}, 400'000)[0]));
+  CHECK(condition_numbers(program, samples, {}, 100).size() == 1);
 }
 
 TEST_CASE("three sums in each other do not overflow the count of the work", "[numeric]") {
