@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/among.h"
 #include "check/walk/topics.h"
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "base/among.h"
 #include "check/doubt/digits.h"
 #include "check/doubt/row_doubts.h"
 #include "check/question/decision_cache.h"

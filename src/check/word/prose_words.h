@@ -44,7 +44,8 @@ namespace rigor {
 /// "Hence", "It follows that", "Taking the curl", and no other words: what begins so goes on with the case of
 /// the paragraph before.
 [[nodiscard]] bool goes_on_with_the_argument(std::string_view clause);
-/// "For a diatomic gas", "In matter", "At the bottom": what begins so is about another case than what is before.
+/// "For a diatomic gas", "In matter", "At the bottom": what begins so is about another case than what is
+/// before.
 [[nodiscard]] bool begins_a_case(std::string_view clause);
 [[nodiscard]] inline bool says_that_it_follows(std::string_view lead) {
   return word_that_concludes(lead).has_value();
