@@ -75,8 +75,8 @@ expect_breach(${in_check}/b.cpp "${spdx}// a;b;c [ \\\n\n#include <ginac/ginac.h
   "${in_check}/b.cpp:4: `check` includes `ginac/ginac.h`, which only `algebra` may")
 expect_breach(${in_expr}/b.cpp "${spdx}#include \"cln/cln.h\"\n"
   "${in_expr}/b.cpp:2: `expr` includes `cln/cln.h`, which only `algebra` may")
-expect_breach(${in_algebra}/c.cpp "${spdx}#include <Eigen/Dense>\n"
-  "${in_algebra}/c.cpp:2: `algebra` includes `Eigen/Dense`, which only `numeric` may")
+expect_breach(${in_check}/b.cpp "${spdx}#include <Eigen/Dense>\n"
+  "${in_check}/b.cpp:2: `check` includes `Eigen/Dense`, which only `algebra` may")
 expect_breach(${in_check}/b.cpp "${spdx}#include <nlohmann/json.hpp>\n"
   "${in_check}/b.cpp:2: `check` includes `nlohmann/json.hpp`, which only `report` and `app` may")
 expect_breach(src/base/b.cpp "${spdx}#include \"version.h\"\n"
