@@ -87,7 +87,6 @@ class SlopedDomain {
     rejected_ = false;
   }
   [[nodiscard]] bool is_rejected() const { return rejected_; }
-  [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
   [[nodiscard]] Sloped number(const std::string& digits) {
     return {std::strtod(digits.c_str(), nullptr), {}};

@@ -13,6 +13,7 @@
 #include "base/among.h"
 #include "base/splitmix.h"
 #include "check/question/unread.h"
+#include "expr/tree/rough_value.h"
 
 namespace rigor {
 namespace {
@@ -145,7 +146,7 @@ class ComplexValues {
         return *above / *below;
       }
       case Op::function:
-        return mapped(children[0], [&](Complex a) { return applied(node.function, a); });
+        return mapped(children[0], [&](Complex a) { return function_value(node.function, a); });
       default:
         return std::nullopt;
     }
@@ -166,26 +167,6 @@ class ComplexValues {
   std::optional<Complex> mapped(ExprId child, const Operation& operation) {
     const auto inside = value(child);
     return inside ? std::optional<Complex>(operation(*inside)) : std::nullopt;
-  }
-
-  static Complex applied(Function function, Complex argument) {
-    switch (function) {
-      case Function::sin:
-        return std::sin(argument);
-      case Function::cos:
-        return std::cos(argument);
-      case Function::exp:
-        return std::exp(argument);
-      case Function::log:
-        return std::log(argument);
-      case Function::arcsin:
-        return std::asin(argument);
-      case Function::arccos:
-        return std::acos(argument);
-      case Function::arctan:
-        return std::atan(argument);
-    }
-    return {};
   }
 
   const Definition* definition_of(ExprId id) const {

@@ -1,35 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expr/tree/rough_value.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <string>
 
 namespace rigor {
-namespace {
-
-[[nodiscard]] double applied(Function function, double argument) {
-  switch (function) {
-    case Function::sin:
-      return std::sin(argument);
-    case Function::cos:
-      return std::cos(argument);
-    case Function::exp:
-      return std::exp(argument);
-    case Function::log:
-      return std::log(argument);
-    case Function::arcsin:
-      return std::asin(argument);
-    case Function::arccos:
-      return std::acos(argument);
-    case Function::arctan:
-      return std::atan(argument);
-  }
-  return NAN;
-}
-
-}  // namespace
-
 double rough_value(const ExprTree& tree, ExprId root, const std::function<double(SymbolId)>& of_symbol) {
   const ExprNode& node = tree[root];
   const std::span<const ExprId> children = tree.children(root);
@@ -52,7 +27,7 @@ double rough_value(const ExprTree& tree, ExprId root, const std::function<double
     case Op::absolute:
       return std::abs(child(0));
     case Op::function:
-      return applied(node.function, child(0));
+      return function_value(node.function, child(0));
     case Op::add:
     case Op::multiply: {
       double value = node.op == Op::add ? 0 : 1;
