@@ -5,17 +5,22 @@
 // `SharedSet` grow without a copy: a copy costs a pointer and a number. All copies show the beginning, as
 // long as they were, of one sequence; the longest one appends to it, which no other sees. One that another
 // has overtaken copies its part before it appends, and so does every change but appending. References stay
-// valid while lists only grow and none overtakes another.
+// valid while lists only grow and none overtakes another. `SharedArray` and `SharedSpans` are for what is read
+// all the time and grows in many copies at once: they are shared by chunks.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <deque>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace rigor {
 
@@ -196,6 +201,98 @@ class SharedIndex {
 
   std::shared_ptr<Stored> stored_;
   std::size_t size_ = 0;
+};
+
+/// A sequence that only grows, read as fast as a vector. A copy costs a pointer for each chunk, and what either
+/// appends afterwards the other does not see: the first to append goes on in the last chunk, a copy takes a
+/// chunk of its own. References stay valid while it grows.
+template <class Value>
+class SharedArray {
+ public:
+  SharedArray() = default;
+  SharedArray(const SharedArray& other) : chunks_(other.chunks_), size_(other.size_) {}
+  SharedArray(SharedArray&& other) noexcept
+      : chunks_(std::move(other.chunks_)),
+        size_(std::exchange(other.size_, 0)),
+        owns_last_(std::exchange(other.owns_last_, false)) {}
+  SharedArray& operator=(SharedArray other) noexcept {
+    chunks_ = std::move(other.chunks_);
+    size_ = other.size_;
+    owns_last_ = other.owns_last_;
+    return *this;
+  }
+  ~SharedArray() = default;
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const Value& operator[](std::size_t k) const { return chunks_[k / chunk_size][k % chunk_size]; }
+
+  void push_back(Value value) {
+    if (size_ % chunk_size == 0) {
+      chunks_.push_back(std::make_shared<Value[]>(chunk_size));
+    } else if (!owns_last_) {
+      copy(size_ / chunk_size);
+    }
+    owns_last_ = true;
+    chunks_.back()[size_ % chunk_size] = std::move(value);
+    ++size_;
+  }
+  /// To be changed. References to others of its chunk may become invalid.
+  [[nodiscard]] Value& write(std::size_t k) {
+    if (chunks_[k / chunk_size].use_count() > 1) {
+      copy(k / chunk_size);
+      owns_last_ = owns_last_ || k / chunk_size == size_ / chunk_size;
+    }
+    return chunks_[k / chunk_size][k % chunk_size];
+  }
+
+ private:
+  static constexpr std::size_t chunk_size = std::bit_floor(16'384 / sizeof(Value));
+
+  void copy(std::size_t which) {
+    auto own = std::make_shared<Value[]>(chunk_size);
+    std::copy_n(&chunks_[which][0], std::min(chunk_size, size_ - which * chunk_size), &own[0]);
+    chunks_[which] = std::move(own);
+  }
+
+  std::vector<std::shared_ptr<Value[]>> chunks_;
+  std::size_t size_ = 0;
+  bool owns_last_ = false;  // no copy has a part of the last chunk beyond this one's
+};
+
+/// Keeps runs of values where they are for as long as it or a copy lives. A copy costs a pointer for each
+/// block.
+template <class Value>
+class SharedSpans {
+ public:
+  SharedSpans() = default;
+  SharedSpans(const SharedSpans& other) : blocks_(other.blocks_) {}
+  SharedSpans(SharedSpans&& other) noexcept
+      : blocks_(std::move(other.blocks_)), room_(std::exchange(other.room_, {})) {}
+  SharedSpans& operator=(SharedSpans other) noexcept {
+    blocks_ = std::move(other.blocks_);
+    room_ = other.room_;
+    return *this;
+  }
+  ~SharedSpans() = default;
+
+  [[nodiscard]] std::span<const Value> keep(std::span<const Value> values) {
+    if (values.empty()) return {};
+    if (room_.size() < values.size()) {
+      const std::size_t size = std::max(block_size, values.size());
+      blocks_.push_back(std::make_shared<Value[]>(size));
+      room_ = {&blocks_.back()[0], size};
+    }
+    const std::span<Value> kept = room_.first(values.size());
+    std::ranges::copy(values, kept.begin());
+    room_ = room_.subspan(values.size());
+    return kept;
+  }
+
+ private:
+  static constexpr std::size_t block_size = 4'096 / sizeof(Value);
+
+  std::vector<std::shared_ptr<Value[]>> blocks_;
+  std::span<Value> room_;  // at the end of the last block; none in a copy
 };
 
 struct FirstOfPair {

@@ -32,8 +32,8 @@ namespace {
   }
   std::vector<bool> in_parts(tree.symbols.size(), false);
   for (std::size_t k = 0; k < in_parts.size(); ++k) {
-    Symbol& symbol = tree.symbols[static_cast<SymbolId>(k)];
-    if (!symbol.complex) continue;
+    if (!tree.symbols[static_cast<SymbolId>(k)].complex) continue;
+    Symbol& symbol = tree.symbols.write(static_cast<SymbolId>(k));
     if (symbol.symmetric || symbol.unit || symbol.rotation)
       throw Undecidable(
           fmt::format("the complex `{}` is symmetric, a unit vector or a rotation", symbol.name));

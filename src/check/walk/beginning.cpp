@@ -21,8 +21,8 @@ void imply_primed_axes(const Notes& notes, ExprTree& tree, Names& names) {
   });
   if (told) return;
   const SymbolId symbol = resolve(names.symbols, tree, {letter, 2, false}, letter, {});
-  tree.symbols[symbol].rotation = true;
-  tree.symbols[symbol].declared = true;
+  tree.symbols.write(symbol).rotation = true;
+  tree.symbols.write(symbol).declared = true;
   names.symbols.primed_axes = symbol;
 }
 

@@ -15,8 +15,8 @@ ExprId base_unit(ExprTree& tree, Names& names, std::size_t which, Span span) {
   const std::string name = fmt::format("\\mathrm{{{}}}", base_units[which]);
   const SymbolId symbol =
       resolve(names.symbols, tree, {fmt::format("\\unit{{{}}}", base_units[which]), 0, false}, name, span);
-  tree.symbols[symbol].unit_of_measure = Dimension::of(static_cast<BaseQuantity>(which));
-  tree.symbols[symbol].declared = true;
+  tree.symbols.write(symbol).unit_of_measure = Dimension::of(static_cast<BaseQuantity>(which));
+  tree.symbols.write(symbol).declared = true;
   const ExprId unit = tree.add({.op = Op::symbol, .span = span, .symbol = symbol});
   const std::string positive = fmt::format("{} is positive", name);
   const bool known = std::ranges::any_of(

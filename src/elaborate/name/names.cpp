@@ -112,7 +112,7 @@ SymbolId declare(Names& names, ExprTree& tree, const NameKey& named, Symbol symb
   auto known = declared_alike(names.symbols, tree.symbols, key, symbol);
   if (!known) known = spoken_of(names, key, symbol);
   const SymbolId id = known ? *known : tree.symbols.add(std::move(symbol));
-  tree.symbols[id].declared = true;
+  tree.symbols.write(id).declared = true;
   names.symbols.declared_before.put({key, id});
   if (!names.symbols.keys.contains(id)) names.symbols.keys.put({id, key});
   names.symbols.entries.erase(key);

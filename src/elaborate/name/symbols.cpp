@@ -50,7 +50,7 @@ SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const s
   const bool same = before != nullptr && !tree.symbols[before->second].symmetric &&
                     !tree.symbols[before->second].unit && !tree.symbols[before->second].rotation;
   const SymbolId id = same ? before->second : tree.symbols.add(std::move(symbol));
-  tree.symbols[id].declared = false;
+  tree.symbols.write(id).declared = false;
   if (!symbols.keys.contains(id)) symbols.keys.put({id, key});
   symbols.entries.put({key, id});
   return id;

@@ -89,9 +89,9 @@ MaybeTyped named_symbol(Reading& reading, const Occurrence& at, const std::strin
   if (fresh && written.accent == Accent::hat && rank == 1) {
     if (space_of(names.symbols) != common_space)
       return unsupported(reading, span, "unit vectors are read in three dimensions only");
-    tree.symbols[symbol].unit = true;
+    tree.symbols.write(symbol).unit = true;
   }
-  if (fresh && is_circle_number(names, key)) tree.symbols[symbol].circle_number = true;
+  if (fresh && is_circle_number(names, key)) tree.symbols.write(symbol).circle_number = true;
   const bool position = (vector_position || coordinate) && !key.per_particle;
   if (position && change_of(reading, symbol, By::space).kind == Dependence::Kind::variable)
     note_position(reading, symbol);

@@ -41,6 +41,7 @@ SymbolId SymbolTable::add(Symbol symbol) {
   // Their generic points are written in three dimensions.
   RIGOR_CHECK(!(symbol.unit || symbol.rotation) || symbol.axes.are_common(), symbol.name);
   symbols_.push_back(std::move(symbol));
+  derivatives_.push_back({});
   return static_cast<SymbolId>(symbols_.size() - 1);
 }
 
@@ -69,18 +70,19 @@ SymbolId SymbolTable::derivative(const Derivation& derivation) {
   symbol.declared = base.declared;
   symbol.first_seen = base.first_seen;
   const SymbolId id = add(std::move(symbol));
-  derivatives_.emplace(derivation, id);
+  derivatives_.write(static_cast<std::size_t>(derivation.base)).push_back(id);
   return id;
 }
 
 std::optional<SymbolId> SymbolTable::find(const Derivation& derivation) const {
-  const auto known = derivatives_.find(derivation);
-  return known == derivatives_.end() ? std::nullopt : std::optional(known->second);
+  const std::vector<SymbolId>& known = derivatives_[static_cast<std::size_t>(derivation.base)];
+  const auto found =
+      std::ranges::find_if(known, [&](SymbolId each) { return (*this)[each].derivation == derivation; });
+  return found == known.end() ? std::nullopt : std::optional(*found);
 }
 
 bool SymbolTable::has_derivatives(SymbolId base) const {
-  const auto first = derivatives_.lower_bound({base, {}});
-  return first != derivatives_.end() && first->first.base == base;
+  return !derivatives_[static_cast<std::size_t>(base)].empty();
 }
 
 std::size_t canonical_component(const Symbol& symbol, std::size_t component) {

@@ -6,14 +6,13 @@
 
 #include <compare>
 #include <cstdint>
-#include <deque>
 #include <functional>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "base/shared.h"
 #include "base/span.h"
 #include "expr/tree/dimension.h"
 #include "expr/tree/space.h"
@@ -128,7 +127,8 @@ class SymbolTable {
  public:
   SymbolId add(Symbol symbol);
   [[nodiscard]] const Symbol& operator[](SymbolId id) const { return symbols_[static_cast<std::size_t>(id)]; }
-  [[nodiscard]] Symbol& operator[](SymbolId id) { return symbols_[static_cast<std::size_t>(id)]; }
+  /// To be changed, which no copy of the table sees.
+  [[nodiscard]] Symbol& write(SymbolId id) { return symbols_.write(static_cast<std::size_t>(id)); }
   [[nodiscard]] std::size_t size() const { return symbols_.size(); }
 
   /// The derivative of a symbol (which may be a derivative itself), always the same one. Symmetric if the
@@ -140,8 +140,8 @@ class SymbolTable {
   [[nodiscard]] bool has_derivatives(SymbolId base) const;
 
  private:
-  std::deque<Symbol> symbols_;
-  std::map<Derivation, SymbolId> derivatives_;
+  SharedArray<Symbol> symbols_;
+  SharedArray<std::vector<SymbolId>> derivatives_;  // of each symbol
 };
 
 /// The symbol that a derivative is of; any other symbol itself.

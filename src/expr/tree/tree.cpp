@@ -161,26 +161,7 @@ void check_symbol(const SymbolTable& symbols, const ExprNode& node) {
          std::ranges::all_of(digits, [](char c) { return c == '.' || is_digit(c); });
 }
 
-template <class Value>
-[[nodiscard]] std::vector<Value> with_room(const std::vector<Value>& from) {
-  std::vector<Value> copy;
-  copy.reserve(from.size() + from.size() / 4 + 16);
-  copy.insert(copy.end(), from.begin(), from.end());
-  return copy;
-}
-
 }  // namespace
-
-ExprTree::ExprTree(const ExprTree& other)
-    : symbols(other.symbols),
-      nodes_(with_room(other.nodes_)),
-      children_(with_room(other.children_)),
-      slots_(with_room(other.slots_)),
-      numbers_(with_room(other.numbers_)),
-      tables_(other.tables_),
-      index_names_(other.index_names_),
-      index_spaces_(other.index_spaces_),
-      particle_names_(other.particle_names_) {}
 
 IndexId ExprTree::add_index(std::string name, Space space) {
   RIGOR_CHECK(space.dimension >= 1 && space.dimension <= most_dimensions, name, space.dimension);
@@ -285,9 +266,7 @@ ExprId ExprTree::append(ExprNode node, std::span<const ExprId> children, std::sp
     RIGOR_CHECK(slot.axis != 0 || static_cast<std::size_t>(slot.variable) < index_names_.size(), op);
   }
   node.weight = static_cast<std::uint32_t>(std::min<std::uint64_t>(weight, 0xffffffffu));
-  node.first = static_cast<std::uint32_t>(children_.size());
   node.count = static_cast<std::uint32_t>(children.size());
-  node.first_slot = static_cast<std::uint32_t>(slots_.size());
   node.slot_count = static_cast<std::uint32_t>(slots.size());
   if (node.op == Op::symbol) {
     check_symbol(symbols, node);
@@ -299,8 +278,8 @@ ExprId ExprTree::append(ExprNode node, std::span<const ExprId> children, std::sp
   if (node.particle != no_particle)
     RIGOR_CHECK(static_cast<std::size_t>(node.particle) < particle_names_.size(), op);
   if (node.op == Op::particle_sum) RIGOR_CHECK(node.particle != no_particle, op);
-  children_.insert(children_.end(), children.begin(), children.end());
-  slots_.insert(slots_.end(), slots.begin(), slots.end());
+  node.first_child = children_.keep(children).data();
+  node.first_slot = slots_.keep(slots).data();
   nodes_.push_back(node);
   return static_cast<ExprId>(nodes_.size() - 1);
 }
@@ -324,14 +303,6 @@ ExprId ExprTree::add_table(Span span, std::span<const ExprId> values, std::span<
   node.payload = static_cast<std::uint32_t>(tables_.size());
   tables_.push_back(std::move(table));
   return append(node, values, slots);
-}
-
-std::span<const ExprId> ExprTree::children(ExprId id) const {
-  return std::span(children_).subspan((*this)[id].first, (*this)[id].count);
-}
-
-std::span<const Slot> ExprTree::slots(ExprId id) const {
-  return std::span(slots_).subspan((*this)[id].first_slot, (*this)[id].slot_count);
 }
 
 const std::string& ExprTree::digits(ExprId id) const {

@@ -2,9 +2,9 @@
 // What is MEANT: a typed expression. Every node has a rank (0 scalar, 1 vector, 2 second-rank tensor). Index
 // notation and direct notation are both kept, so that a program can evaluate the form that was written:
 // `\epsilon_{ijk}A_jB_k` is sums over components, `\mathbf A\times\mathbf B` is a cross product. Implicit
-// sums have become explicit; definitions are still names, unfolded on demand. Nodes lie in one vector,
-// children before parents, and never change: an id stays valid, and equal parts can be shared. Axes are
-// orthonormal; in the common space they are 1, 2, 3, right-handed.
+// sums have become explicit; definitions are still names, unfolded on demand. Nodes lie in one array,
+// children before parents, and never change: an id stays valid, and equal parts can be shared, also by copies
+// of the tree, which cost little. Axes are orthonormal; in the common space they are 1, 2, 3, right-handed.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/shared.h"
 #include "base/span.h"
 #include "expr/tree/space.h"
 #include "expr/tree/symbol.h"
@@ -82,10 +83,10 @@ struct ExprNode {
   Op op;
   std::uint8_t rank = 0;
   Span span = {};
-  std::uint32_t first = 0;  // into the list of children
+  const ExprId* first_child = nullptr;
+  const Slot* first_slot = nullptr;
   std::uint32_t count = 0;
   std::uint32_t weight = 1;  // of the tree below: nodes as often as they are reached; at most 2^32 - 1
-  std::uint32_t first_slot = 0;
   std::uint32_t slot_count = 0;
   SymbolId symbol{};
   IndexId index{};                    // index_sum
@@ -106,14 +107,6 @@ struct Table {
 
 class ExprTree {
  public:
-  ExprTree() = default;
-  /// With room for a quarter more: copies are made to be added to.
-  ExprTree(const ExprTree& other);
-  ExprTree(ExprTree&&) = default;
-  ExprTree& operator=(const ExprTree&) = default;
-  ExprTree& operator=(ExprTree&&) = default;
-  ~ExprTree() = default;
-
   SymbolTable symbols;
 
   IndexId add_index(std::string name, Space space = common_space);
@@ -132,8 +125,12 @@ class ExprTree {
   ExprId add_table(Span span, std::span<const ExprId> values, std::span<const Slot> slots, Table table);
 
   [[nodiscard]] const ExprNode& operator[](ExprId id) const { return nodes_[static_cast<std::size_t>(id)]; }
-  [[nodiscard]] std::span<const ExprId> children(ExprId id) const;
-  [[nodiscard]] std::span<const Slot> slots(ExprId id) const;
+  [[nodiscard]] std::span<const ExprId> children(ExprId id) const {
+    return {(*this)[id].first_child, (*this)[id].count};
+  }
+  [[nodiscard]] std::span<const Slot> slots(ExprId id) const {
+    return {(*this)[id].first_slot, (*this)[id].slot_count};
+  }
   [[nodiscard]] const std::string& digits(ExprId id) const;
   [[nodiscard]] const Table& table(ExprId id) const;
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
@@ -147,14 +144,14 @@ class ExprTree {
                                    std::span<const Slot> slots) const;
   void check_slot(const Slot& slot, Space of) const;
 
-  std::vector<ExprNode> nodes_;
-  std::vector<ExprId> children_;
-  std::vector<Slot> slots_;
-  std::vector<std::string> numbers_;
-  std::vector<Table> tables_;
-  std::vector<std::string> index_names_;
-  std::vector<Space> index_spaces_;
-  std::vector<std::string> particle_names_;
+  SharedArray<ExprNode> nodes_;
+  SharedSpans<ExprId> children_;
+  SharedSpans<Slot> slots_;
+  SharedArray<std::string> numbers_;
+  SharedArray<Table> tables_;
+  SharedArray<std::string> index_names_;
+  SharedArray<Space> index_spaces_;
+  SharedArray<std::string> particle_names_;
 };
 
 /// How many components its value has.

@@ -57,9 +57,9 @@ TEST_CASE("whatever the exact side sees changes a closed question") {
     return archived(closed(built.question));
   };
   const SymbolId a{0};
-  CHECK(plain != changed([&](ExprTree& tree, Question&) { tree.symbols[a].unit = true; }));
+  CHECK(plain != changed([&](ExprTree& tree, Question&) { tree.symbols.write(a).unit = true; }));
   CHECK(plain != changed([&](ExprTree& tree, Question&) { tree.symbols[a].unit_of_measure.emplace(); }));
-  CHECK(plain != changed([&](ExprTree& tree, Question&) { tree.symbols[a].declared = true; }));
+  CHECK(plain != changed([&](ExprTree& tree, Question&) { tree.symbols.write(a).declared = true; }));
   CHECK(plain != changed([&](ExprTree&, Question& question) { question.zeroed = {a}; }));
   CHECK(plain != changed([&](ExprTree&, Question& question) { question.claim.relation = Relation::less; }));
   CHECK(plain != changed([&](ExprTree&, Question& question) { question.assumptions = {question.claim}; }));
@@ -131,7 +131,7 @@ TEST_CASE("a closed question stays the same when the notes go on") {
   build(built, 0);
   const ClosedQuestion asked = closed(built.question);
   const std::string before = archived(asked);
-  built.tree.symbols[SymbolId{0}].name = "changed";
+  built.tree.symbols.write(SymbolId{0}).name = "changed";
   for (int k = 0; k < 100; ++k) built.tree.add_number({}, "1");
   CHECK(archived(asked) == before);
 }

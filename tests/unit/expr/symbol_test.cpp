@@ -13,7 +13,7 @@ TEST_CASE("a symbol is found by the id that it was given", "[expr]") {
   CHECK(symbols.size() == 2);
   CHECK(symbols[a].name == "A");
   CHECK(symbols[i].symmetric);
-  symbols[a].declared = true;
+  symbols.write(a).declared = true;
   CHECK(symbols[a].declared);
 }
 
