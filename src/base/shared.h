@@ -5,8 +5,8 @@
 // `SharedSet` grow without a copy: a copy costs a pointer and a number. All copies show the beginning, as
 // long as they were, of one sequence; the longest one appends to it, which no other sees. One that another
 // has overtaken copies its part before it appends, and so does every change but appending. References stay
-// valid while lists only grow and none overtakes another. `SharedArray` and `SharedSpans` are for what is read
-// all the time and grows in many copies at once: they are shared by chunks.
+// valid while lists only grow and none overtakes another. `SharedArray` and `SharedSpans` are for what is
+// read all the time and grows in many copies at once: they are shared by chunks.
 #pragma once
 
 #include <algorithm>
@@ -203,9 +203,9 @@ class SharedIndex {
   std::size_t size_ = 0;
 };
 
-/// A sequence that only grows, read as fast as a vector. A copy costs a pointer for each chunk, and what either
-/// appends afterwards the other does not see: the first to append goes on in the last chunk, a copy takes a
-/// chunk of its own. References stay valid while it grows.
+/// A sequence that only grows, read as fast as a vector. A copy costs a pointer for each chunk, and what
+/// either appends afterwards the other does not see: the first to append goes on in the last chunk, a copy
+/// takes a chunk of its own. References stay valid while it grows.
 template <class Value>
 class SharedArray {
  public:
@@ -224,7 +224,9 @@ class SharedArray {
   ~SharedArray() = default;
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] const Value& operator[](std::size_t k) const { return chunks_[k / chunk_size][k % chunk_size]; }
+  [[nodiscard]] const Value& operator[](std::size_t k) const {
+    return chunks_[k / chunk_size][k % chunk_size];
+  }
 
   void push_back(Value value) {
     if (size_ % chunk_size == 0) {

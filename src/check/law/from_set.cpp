@@ -177,9 +177,20 @@ bool holds_what_it_has_not(const RowUnderLaws& row, const Names& names) {
   return false;
 }
 
+Budget* budget_of(const RowUnderLaws& row) { return row.cache == nullptr ? nullptr : &row.cache->budget(); }
+
+/// Where letters hang together by long definitions, preparing takes more work than deciding: it is counted.
+Prepared prepare(const RowUnderLaws& row, const Names& names, int slack = 0) {
+  Prepared prepared = rigor::prepare(row.tree, names, row.claim.equation, slack);
+  if (Budget* budget = budget_of(row);
+      budget != nullptr && !budget->takes(price::derived_node * prepared.made) && !prepared.too_large)
+    prepared.too_large = "the derivatives in these laws take too much work";
+  return prepared;
+}
+
 /// Numbers of which nothing says whether they change: nothing on the page differentiates them.
 std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names& names) {
-  const Prepared prepared = prepare(row.tree, names, row.claim.equation);
+  const Prepared prepared = prepare(row, names);
   std::vector<SymbolId> unknown = prepared.unknown_changes;
   const std::vector<SymbolId>& written = row.claim.reading->found.unknown_changes;
   unknown.insert(unknown.end(), written.begin(), written.end());
@@ -284,13 +295,11 @@ std::vector<SymbolId> constants_under(const RowUnderLaws& row, const Names& name
   return momentary ? std::vector<SymbolId>{} : constants_by_evidence(row, names);
 }
 
-Budget* budget_of(const RowUnderLaws& row) { return row.cache == nullptr ? nullptr : &row.cache->budget(); }
-
 /// The names of the definitions and assumptions that a proof needs; nothing: there is no proof. What a
 /// derivative of a law shows is looked for only if the law itself does not prove it.
 std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, const Names& names) {
   for (const int slack : {0, 1}) {
-    const Prepared prepared = prepare(row.tree, names, row.claim.equation, slack);
+    const Prepared prepared = prepare(row, names, slack);
     if (prepared.too_large) return std::nullopt;
     const bool hopeless = fails_at_rough_points(prepared.question, budget_of(row));
     const Decision decision = hopeless ? Decision() : decide(row.cache, prepared.question, limits_of_proofs);
@@ -328,6 +337,7 @@ namespace {
 
 /// With its letters and derivatives as they stand.
 std::optional<Judgement> prove_as_it_stands(const RowUnderLaws& row, const Laws& set) {
+  if (row.cache != nullptr && row.cache->budget().exhausted()) return std::nullopt;
   const Names assumed = with_laws(row.tree, row.names, set);
   const std::vector<SymbolId> constants = constants_under(row, assumed, set);
   if (set.empty() && constants.empty()) return std::nullopt;
@@ -387,7 +397,7 @@ bool fails_under(const RowUnderLaws& row, const Laws& set) {
   const Names assumed = with_laws(row.tree, row.names, set);
   const Names all =
       with_not_zero(row, with_constants(assumed, constants_by_evidence(row, assumed)), not_zero(row, set));
-  const Prepared prepared = prepare(row.tree, all, row.claim.equation, 1);
+  const Prepared prepared = prepare(row, all, 1);
   if (prepared.too_large || !prepared.unknown_changes.empty()) return false;
   return fails_at_rough_points(prepared.question, budget_of(row));
 }

@@ -148,8 +148,7 @@ std::optional<ExprId> IntegralValues::function_of_rate(const Integral& integral,
   const ExprNode node = tree_[rate];
   const auto& derivation = tree_.symbols[node.symbol].derivation;
   if (!derivation || integral.by.partial) return std::nullopt;
-  const auto by = derivation->by.find(integral.by);
-  if (by == derivation->by.end()) return std::nullopt;
+  if (derivation->by.count(integral.by) == 0) return std::nullopt;
   std::vector<Slot> slots(tree_.slots(rate).begin(), tree_.slots(rate).end());
   if (integral.by == By::space) {
     const auto along = std::ranges::find(slots, integral.axis, &Slot::axis);
@@ -157,7 +156,7 @@ std::optional<ExprId> IntegralValues::function_of_rate(const Integral& integral,
     slots.erase(along);
   }
   Derivation less = *derivation;
-  less.by.erase(less.by.find(integral.by));
+  less.by.erase(integral.by);
   const SymbolId function = tree_.symbols.derivative(less);
   return tree_.add({.op = Op::symbol, .span = node.span, .symbol = function}, {}, slots);
 }

@@ -75,6 +75,7 @@ class Preparation {
     add_lengths();
     add_conditions();
     prepared_.too_large = budget_.exceeded;
+    prepared_.made = DerivativeBudget().nodes - budget_.nodes;
     prepared_.has_rates_or_times = has_rate() || has_rule() || speaks_of_time_or_place();
     if (slack_ > 0) prepared_.unmatched = unmatched_assumption(tree_, names_, prepared_);
     return std::move(prepared_);
@@ -400,7 +401,7 @@ class Preparation {
 
   /// The derivative of one order less.
   SymbolId parent_of(Derivation derivation, const Variable& by) {
-    derivation.by.erase(derivation.by.find(by));
+    derivation.by.erase(by);
     return tree_.symbols.derivative(derivation);
   }
 
@@ -647,10 +648,9 @@ class Preparation {
       if (base.rotation) note_unknown(derivation->base);
       if (!base.unit || rigor::definition_of(names_.scope, derivation->base) != nullptr) continue;
       Derivation::Variables& known = highest[derivation->base];
-      Derivation::Variables both;
-      std::set_union(known.begin(), known.end(), derivation->by.begin(), derivation->by.end(),
-                     std::inserter(both, both.end()), std::greater<>());
-      known = std::move(both);
+      for (const Variable& each : derivation->by) {
+        if (known.count(each) < derivation->by.count(each)) known.insert(each);
+      }
     }
     for (const auto& [base, variables] : highest) add_length(base, variables);
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "base/among.h"
 #include "expr/print/latex_printer.h"
@@ -188,8 +189,9 @@ LatexPrinter::Piece LatexPrinter::by_letters(Piece result, const Derivation& der
     const ExprNode node{.op = Op::symbol, .symbol = id};
     return plain_symbol(base_of(tree_.symbols, id), node, {}, tree_.symbols[id].order(By::time)).text;
   };
-  for (auto each = derivation.by.begin(); each != derivation.by.end();
-       each = derivation.by.upper_bound(*each)) {
+  const auto end = derivation.by.end();
+  for (auto each = derivation.by.begin(); each != end;
+       each = std::upper_bound(each, end, *each, std::greater<>())) {
     if (each->by != By::letter) continue;
     if (is_along_path(tree_.symbols, *each)) {
       result.text.insert(0, "d");

@@ -59,7 +59,8 @@ template <class Archive>
 void fields(Archive& archive, Derivation& derivation) {
   std::vector<Variable> by(derivation.by.begin(), derivation.by.end());
   archive(derivation.base, by);
-  derivation.by = {by.begin(), by.end()};
+  derivation.by = {};
+  for (const Variable& each : by) derivation.by.insert(each);
 }
 
 template <class Archive>

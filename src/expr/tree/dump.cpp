@@ -107,11 +107,14 @@ bool is_of_common_space(const ExprTree& tree, ExprId root) {
 std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root) {
   std::vector<SymbolId> found;
   static thread_local Marks seen;
+  static thread_local Marks visited;  // parts are shared
   seen.clear(tree.symbols.size());
+  visited.clear(tree.size());
   std::vector<ExprId> open{root};
   while (!open.empty()) {
     const ExprId id = open.back();
     open.pop_back();
+    if (!visited.mark(static_cast<std::size_t>(id))) continue;
     if (tree[id].op == Op::symbol && seen.mark(static_cast<std::size_t>(tree[id].symbol)))
       found.push_back(tree[id].symbol);
     const auto children = tree.children(id);

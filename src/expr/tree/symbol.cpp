@@ -86,6 +86,7 @@ bool SymbolTable::has_derivatives(SymbolId base) const {
 }
 
 std::size_t canonical_component(const Symbol& symbol, std::size_t component) {
+  if (!symbol.symmetric && symbol.order() < 2) return component;
   const auto exchangeable = static_cast<std::size_t>(symbol.order(By::space));
   if (exchangeable < 2 && !symbol.symmetric) return component;
   std::vector<std::size_t> axes(static_cast<std::size_t>(symbol.rank));

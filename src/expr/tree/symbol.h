@@ -4,11 +4,12 @@
 // each particle).
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -44,10 +45,43 @@ struct Variable {
   friend auto operator<=>(const Variable&, const Variable&) = default;
 };
 
+/// What is differentiated by, each as often as it is: a multiset in falling order.
+class VariablesOfDerivation {
+ public:
+  using value_type = Variable;
+  using const_iterator = std::vector<Variable>::const_iterator;
+
+  VariablesOfDerivation() = default;
+  VariablesOfDerivation(std::initializer_list<Variable> all) {
+    for (const Variable& each : all) insert(each);
+  }
+
+  [[nodiscard]] std::size_t size() const { return all_.size(); }
+  [[nodiscard]] bool empty() const { return all_.empty(); }
+  [[nodiscard]] const_iterator begin() const { return all_.begin(); }
+  [[nodiscard]] const_iterator end() const { return all_.end(); }
+  [[nodiscard]] auto rbegin() const { return all_.rbegin(); }
+  [[nodiscard]] auto rend() const { return all_.rend(); }
+  [[nodiscard]] std::size_t count(const Variable& variable) const {
+    return static_cast<std::size_t>(std::ranges::count(all_, variable));
+  }
+  void insert(const Variable& variable) {
+    all_.insert(std::ranges::upper_bound(all_, variable, std::greater<>()), variable);
+  }
+  /// Once, where it is there.
+  void erase(const Variable& variable) {
+    if (const auto found = std::ranges::find(all_, variable); found != all_.end()) all_.erase(found);
+  }
+  friend auto operator<=>(const VariablesOfDerivation&, const VariablesOfDerivation&) = default;
+
+ private:
+  std::vector<Variable> all_;
+};
+
 /// A derivative is a symbol of its own, so that it is one more free quantity to the exact side. Derivatives
 /// by letters are taken before those by the time; otherwise the order does not matter.
 struct Derivation {
-  using Variables = std::multiset<Variable, std::greater<>>;
+  using Variables = VariablesOfDerivation;
   SymbolId base{};
   Variables by = {};
   friend auto operator<=>(const Derivation&, const Derivation&) = default;

@@ -2,7 +2,9 @@
 #include "base/shared.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/splitmix.h"
@@ -105,6 +107,70 @@ TEST_CASE("copies that change in any order are what copies of vectors would be")
     REQUIRE(values_of(sets[seen]) == plain[seen]);
     REQUIRE(sets[seen].contains(value) == (std::ranges::count(plain[seen], value) > 0));
   }
+}
+
+/// Copies of arrays that grow and change in any order, against copies of vectors.
+TEST_CASE("copies of an array go their own ways") {
+  SplitMix bits(2);
+  std::vector<SharedArray<std::string>> arrays(1);
+  std::vector<std::vector<std::string>> plain(1);
+  for (int round = 0; round < 20'000; ++round) {
+    const std::size_t which = bits.below(arrays.size());
+    const std::string value = std::to_string(round);
+    const auto what = bits.below(40);
+    if (what == 0 && arrays.size() < 8) {
+      arrays.push_back(SharedArray(arrays[which]));
+      plain.push_back(std::vector(plain[which]));
+    } else if (what == 1) {
+      const std::size_t other = bits.below(arrays.size());
+      arrays[which] = arrays[other];
+      plain[which] = plain[other];
+    } else if (what < 10 && !plain[which].empty()) {
+      const std::size_t at = bits.below(plain[which].size());
+      arrays[which].write(at) = value;
+      plain[which][at] = value;
+    } else {
+      arrays[which].push_back(value);
+      plain[which].push_back(value);
+    }
+  }
+  for (std::size_t k = 0; k < arrays.size(); ++k) {
+    REQUIRE(arrays[k].size() == plain[k].size());
+    for (std::size_t at = 0; at < plain[k].size(); ++at) REQUIRE(arrays[k][at] == plain[k][at]);
+  }
+}
+
+TEST_CASE("what an array holds stays where it is, in its copies, too") {
+  SharedArray<int> array;
+  array.push_back(1);
+  const int* first = &array[0];
+  for (int k = 0; k < 10'000; ++k) array.push_back(k);
+  const SharedArray<int> copy = array;
+  array.push_back(7);
+  CHECK(&array[0] == first);
+  CHECK(&copy[0] == first);
+  const SharedArray<int> moved = std::move(array);
+  CHECK(&moved[0] == first);
+  CHECK(moved.size() == copy.size() + 1);
+}
+
+TEST_CASE("spans live as long as any copy of what keeps them") {
+  const auto all_of = [](std::span<const int> span) { return std::vector(span.begin(), span.end()); };
+  std::span<const int> early;
+  std::span<const int> late;
+  SharedSpans<int> copy;
+  {
+    SharedSpans<int> spans;
+    early = spans.keep(std::vector{1, 2, 3});
+    copy = spans;
+    late = copy.keep(std::vector{4, 5});
+    CHECK(all_of(spans.keep(std::vector{6})) == std::vector{6});  // in the room behind `early`
+    const std::vector<int> long_one(100'000, 8);
+    CHECK(all_of(spans.keep(long_one)) == long_one);
+  }
+  CHECK(all_of(early) == std::vector{1, 2, 3});
+  CHECK(all_of(late) == std::vector{4, 5});
+  CHECK(copy.keep({}).empty());
 }
 
 }  // namespace

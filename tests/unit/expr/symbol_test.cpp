@@ -24,6 +24,20 @@ TEST_CASE("a symbol stays where it is while others are added", "[expr]") {
   CHECK(&first == &symbols[SymbolId{0}]);
 }
 
+TEST_CASE("what is made or changed in a copy of a table is not in the table", "[expr]") {
+  SymbolTable symbols;
+  const SymbolId a = symbols.add({.name = "A"});
+  SymbolTable copy = symbols;
+  copy.write(a).declared = true;
+  const SymbolId rate = copy.derivative(a, By::time);
+  CHECK_FALSE(symbols[a].declared);
+  CHECK(symbols.size() == 1);
+  CHECK_FALSE(symbols.has_derivatives(a));
+  CHECK(copy.has_derivatives(a));
+  CHECK(symbols.add({.name = "B"}) == rate);
+  CHECK(copy[rate].derivation.has_value());
+}
+
 TEST_CASE("only a tensor of rank 2 is symmetric, only a vector has length 1", "[expr]") {
   SymbolTable symbols;
   CHECK_THROWS_AS(symbols.add({.name = "A", .rank = 1, .symmetric = true}), InternalError);
