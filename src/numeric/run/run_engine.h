@@ -36,11 +36,18 @@ inline constexpr std::size_t particles_worth_copies = 4;
 
 /// How many samples of doubles are taken at once: many, because each run of a step costs its call, and few
 /// enough for so many slots to stay in the nearest cache. No result depends on it.
+///
+/// Slots lie one behind the other. A processor may take a load for one of a store that it has not finished
+/// where only their addresses in a page agree, and then begins again: a step that stores at a place in a page
+/// and soon loads from that place in another takes up to five times as long, on some pages. Slots of whole
+/// `lane_count`s put such a load at least sixteen widest lanes before or behind the store, or in the same
+/// iteration, which loads before it stores.
 [[nodiscard]] inline std::size_t fitting_samples(std::size_t slots) {
   constexpr std::size_t numbers_in_cache = 3072;  // of 4,096
   constexpr std::size_t most = 512;
   const std::size_t fitting = numbers_in_cache / std::max<std::size_t>(slots, 1);
-  return std::clamp<std::size_t>(fitting / 64 * 64, lane_count, most);
+  const std::size_t nearest = (fitting + lane_count / 2 - 1) / lane_count * lane_count;
+  return std::clamp<std::size_t>(nearest, lane_count, most);
 }
 
 template <class T>
@@ -59,9 +66,7 @@ class Engine {
               std::ranges::find(plan_.each, Kernel::loop, &PlanStep::kernel) != plan_.each.end();
     if (std::is_same_v<T, double> && plan_.lanes == Lanes::samples)
       samples_at_once_ = fitting_samples(registers_of_samples() + buffers);
-    // A cache line more, so that slots are not whole pages apart: a store would delay loads at its place in
-    // them.
-    const std::size_t width = samples_at_once_ + numbers_in_a_line<T>;
+    const std::size_t width = samples_at_once_;  // of a wide slot
     numbers_.assign((plan_.wide_registers + buffers) * width + narrow + numbers_in_a_line<T>, T(0));
     T* next = numbers_.data();
     while (reinterpret_cast<std::uintptr_t>(next) % cache_line != 0 &&
