@@ -213,7 +213,10 @@ class Engine {
       return;
     }
     slot = buffers_[which];
-    for (int i = 0; i < count; ++i) slot[i] = first[static_cast<std::size_t>(i) * stride];
+    if (stride == 1)
+      std::copy_n(first, count, slot);
+    else
+      for (int i = 0; i < count; ++i) slot[i] = first[static_cast<std::size_t>(i) * stride];
     for (int i = count; i % lane_step != 0; ++i) slot[i] = T(0);
   }
 
