@@ -35,7 +35,7 @@ namespace {
 using namespace rigor::build;
 
 constexpr std::size_t samples = 2048;
-constexpr int rounds = 60;
+constexpr int rounds = 300;
 constexpr double most_times_hand_written = 1.5;
 constexpr double least_times_ginac = 1000.0;
 

@@ -98,13 +98,35 @@ void tell_moments_apart(KnownInertia& known, const std::vector<PlacedBody>& part
   tell_moments_apart(known, exact_joined(exact));
 }
 
-/// The places of a part's particles in the whole; `place` is the part's.
-void add_places(Body& whole, const Body& part, std::size_t axis, double place) {
-  const ErrorBounds errors = place_errors(part, axis);
-  for (std::size_t k = 0; k < part.size(); ++k) {
-    const double x = part.positions[axis][k];
-    whole.positions[axis].push_back(x + place);
-    whole.errors.each[axis].push_back(errors.of(k, x) + 2 * 0x1p-53 * (std::abs(x) + std::abs(place)));
+std::size_t size_of(const std::vector<PlacedBody>& parts) {
+  std::size_t size = 0;
+  for (const PlacedBody& part : parts) size += part.body.size();
+  return size;
+}
+
+/// The masses of all parts, which lose theirs one after the other: most of them are never held twice.
+void take_masses(Body& whole, std::vector<PlacedBody>& parts) {
+  whole.masses.reserve(size_of(parts));
+  for (PlacedBody& part : parts) {
+    const std::vector<double> masses = std::exchange(part.body.masses, {});
+    whole.masses.insert(whole.masses.end(), masses.begin(), masses.end());
+  }
+}
+
+/// The same with the places along an axis, to which a part adds its own.
+void take_places(Body& whole, std::vector<PlacedBody>& parts, std::size_t axis, const HighLow& centre) {
+  whole.positions[axis].reserve(whole.size());
+  whole.errors.each[axis].reserve(whole.size());
+  for (auto& [part, offset] : parts) {
+    const double place = away_from(offset[axis], centre);  // not at `offset`: that may be far
+    const ErrorBounds errors = place_errors(part, axis);
+    part.errors.each[axis] = {};
+    const std::vector<double> places = std::exchange(part.positions[axis], {});
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const double x = places[k];
+      whole.positions[axis].push_back(x + place);
+      whole.errors.each[axis].push_back(errors.of(k, x) + 2 * 0x1p-53 * (std::abs(x) + std::abs(place)));
+    }
   }
 }
 
@@ -139,7 +161,7 @@ Body along_axis(Body body, std::size_t axis) {
   return body;
 }
 
-Result<Body> joined(std::string name, const std::vector<PlacedBody>& parts) {
+Result<Body> joined(std::string name, std::vector<PlacedBody> parts) {
   if (parts.empty()) return refuse("the body has no parts");
   const Body points = points_of_parts(parts);
   const auto centre = sharp_centre_of_mass(points_of(points));
@@ -151,12 +173,9 @@ Result<Body> joined(std::string name, const std::vector<PlacedBody>& parts) {
     whole.known = *known;
     tell_moments_apart(*whole.known, parts);
   }
-  for (const auto& [body, offset] : parts) {
-    whole.masses.insert(whole.masses.end(), body.masses.begin(), body.masses.end());
-    whole.errors.mass = std::max(whole.errors.mass, body.errors.mass);
-    for (std::size_t axis = 0; axis < 3; ++axis)  // not at `offset`: that may be far
-      add_places(whole, body, axis, away_from(offset[axis], (*centre)[axis]));
-  }
+  for (const auto& part : parts) whole.errors.mass = std::max(whole.errors.mass, part.body.errors.mass);
+  take_masses(whole, parts);
+  for (std::size_t axis = 0; axis < 3; ++axis) take_places(whole, parts, axis, (*centre)[axis]);
   return centred(std::move(whole));
 }
 

@@ -19,8 +19,9 @@ struct PlacedBody {
 
 /// All particles of all parts, about the common centre of mass. Where the inertia of every part is known, so
 /// is the whole's, by the parallel-axis theorem in double-double: I = Σ I_p + m_p (d² 1 − d d). No digit is
-/// lost where the parts are far from the origin.
-[[nodiscard]] Result<Body> joined(std::string name, const std::vector<PlacedBody>& parts);
+/// lost where the parts are far from the origin. Of parts that are moved in, one number of a particle is held
+/// twice at most.
+[[nodiscard]] Result<Body> joined(std::string name, std::vector<PlacedBody> parts);
 
 /// ∫x_i x_j dm/M about the centre of mass, m², and a bound of the error of any of them.
 struct SecondMoments {

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-double high_of(double entry) { return entry; }
-double high_of(const HighLow& entry) { return entry.high; }
+const double* high_of(const double& entry) { return &entry; }
+const double* high_of(const HighLow& entry) { return &entry.high; }
 bool is_finite(double entry) { return std::isfinite(entry); }
 bool is_finite(const HighLow& entry) { return std::isfinite(entry.high) && std::isfinite(entry.low); }
 
@@ -88,80 +88,63 @@ bool mend(const MomentsColumns& c, std::size_t at, const SharpTensor& tensor) {
   return true;
 }
 
-/// The lower triangle.
-template <class Tensor>
-void put_tensor(const Tensor& tensor, MomentsOfOne& one) {
+PrincipalMoments& moments_in(PrincipalMoments& found) { return found; }
+PrincipalMoments& moments_in(PrincipalAxes& found) { return found.principal; }
+double* axes_in(PrincipalMoments&) { return nullptr; }
+double* axes_in(PrincipalAxes& found) { return found.axes[0].data(); }
+
+/// A column of one tensor, and its results as columns.
+template <class Tensor, class Found>
+MomentsColumns columns_of_one(const Tensor& tensor, Found& found, double& state) {
+  MomentsColumns c;
+  c.count = 1;
+  PrincipalMoments& principal = moments_in(found);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
     const auto& beside = tensor[std::max(j, k)][std::min(j, k)];
-    one.diagonal[i] = high_of(tensor[i][i]);
-    one.off[i] = high_of(beside);
+    c.diagonal[i] = high_of(tensor[i][i]);
+    c.off[i] = high_of(beside);
     if constexpr (std::is_same_v<Tensor, SharpTensor>) {
-      one.diagonal_low[i] = tensor[i][i].low;
-      one.off_low[i] = beside.low;
+      c.diagonal_low[i] = &tensor[i][i].low;
+      c.off_low[i] = &beside.low;
     }
+    c.moments[i] = &principal.moments[i].high;
+    c.moments_low[i] = &principal.moments[i].low;
+    if constexpr (std::is_same_v<Found, PrincipalAxes>)
+      for (std::size_t l = 0; l < 3; ++l) c.axes[i][l] = &found.axes[i][l];
   }
-}
-
-MomentsColumns columns_of_one(MomentsOfOne& one, bool sharp, bool with_axes) {
-  MomentsColumns c;
-  c.count = 1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    c.diagonal[i] = &one.diagonal[i];
-    c.off[i] = &one.off[i];
-    if (sharp) {
-      c.diagonal_low[i] = &one.diagonal_low[i];
-      c.off_low[i] = &one.off_low[i];
-    }
-    c.moments[i] = &one.moments[i];
-    c.moments_low[i] = &one.moments_low[i];
-    for (std::size_t j = 0; j < 3 && with_axes; ++j) c.axes[i][j] = &one.axes[i][j];
-  }
-  for (std::size_t k = 0; k < 2; ++k) c.gaps[k] = &one.gaps[k];
-  c.state = &one.state;
+  for (std::size_t k = 0; k < 2; ++k) c.gaps[k] = &principal.gaps[k];
+  c.state = &state;
   return c;
 }
 
-/// The reason why there are no results, or null. Only what the kernel leaves takes the way of many tensors.
-template <class Tensor>
-const char* solve_one(const Tensor& tensor, bool with_axes, MomentsOfOne& one) {
+/// What the kernel leaves takes the way of many tensors.
+template <class Found, class Tensor>
+Result<Found> mended(const Tensor& tensor) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
-      if (!is_finite(tensor[i][j])) return "the inertia tensor is not finite";
+      if (!is_finite(tensor[i][j])) return refuse("the inertia tensor is not finite");
     }
   }
-  constexpr bool sharp = std::is_same_v<Tensor, SharpTensor>;
-  put_tensor(tensor, one);
-  lane_kernels().principal_moments_of_one(one, sharp, with_axes);
-  if (one.state != MomentsState::good || (sharp && with_axes))
-    solve_principal_moments(columns_of_one(one, sharp, with_axes));
-  return one.state == MomentsState::none ? "a principal moment or a gap between two overflows" : nullptr;
+  Found found;
+  double state = MomentsState::none;
+  solve_principal_moments(columns_of_one(tensor, found, state));
+  if (state == MomentsState::none) return refuse("a principal moment or a gap between two overflows");
+  return found;
 }
 
-PrincipalMoments moments_of(const MomentsOfOne& one) {
-  PrincipalMoments principal;
-  for (std::size_t k = 0; k < 3; ++k) principal.moments[k] = {one.moments[k], one.moments_low[k]};
-  principal.gaps = {one.gaps[0], one.gaps[1]};
-  return principal;
-}
-
-PrincipalAxes axes_of(const MomentsOfOne& one) {
-  PrincipalAxes result{moments_of(one), {}};
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < 3; ++i) result.axes[k][i] = one.axes[k][i];
-  return result;
-}
-
+/// Low parts may leave axes that only more digits find. An entry that is not finite makes no state good.
 template <class Found, class Tensor>
 Result<Found> result_of(const Tensor& tensor) {
-  constexpr bool with_axes = std::is_same_v<Found, PrincipalAxes>;
-  MomentsOfOne one;
-  if (const char* reason = solve_one(tensor, with_axes, one)) return refuse(reason);
-  if constexpr (with_axes)
-    return axes_of(one);
-  else
-    return moments_of(one);
+  constexpr bool sharp = std::is_same_v<Tensor, SharpTensor>;
+  if constexpr (sharp && std::is_same_v<Found, PrincipalAxes>) return mended<Found>(tensor);
+  Result<Found> result;
+  PrincipalMoments& principal = moments_in(*result);
+  const double state = lane_kernels().principal_moments_of_one(
+      high_of(tensor[0][0]), sharp, &principal.moments[0].high, principal.gaps.data(), axes_in(*result));
+  if (state != MomentsState::good) result = mended<Found>(tensor);
+  return result;
 }
 
 /// A tensor below the range in which the kernel loses nothing, solved times a power of two, which is exact.
@@ -176,9 +159,9 @@ std::optional<PrincipalAxes> solved_larger(const SharpTensor& tensor) {
     }
   }
   if (greatest == 0 || !(greatest < 0x1p-900)) return std::nullopt;
-  MomentsOfOne one;
-  if (solve_one(larger, true, one) != nullptr) return std::nullopt;
-  PrincipalAxes result = axes_of(one);
+  auto solved = result_of<PrincipalAxes>(larger);
+  if (!solved) return std::nullopt;
+  PrincipalAxes& result = *solved;
   for (HighLow& moment : result.principal.moments)
     moment = {std::ldexp(moment.high, -power), std::ldexp(moment.low, -power)};
   for (double& gap : result.principal.gaps) gap = std::ldexp(gap, -power);

@@ -14,7 +14,6 @@
 namespace rigor {
 
 struct MomentsColumns;
-struct MomentsOfOne;
 struct FreeSpin;
 struct FreeAttitude;
 struct FreeBodies;
@@ -28,7 +27,10 @@ struct LaneKernels {
 
   // principal_moments.h
   void (*principal_moments)(const MomentsColumns&) = nullptr;
-  void (*principal_moments_of_one)(MomentsOfOne&, bool sharp, bool with_axes) = nullptr;
+  /// By rows, of which the lower triangle is read; `sharp`: each entry with its low part behind it. The
+  /// moments with their low parts likewise; the axes, unless that is null. Returns the state.
+  double (*principal_moments_of_one)(const double* tensor, bool sharp, double* moments, double* gaps,
+                                     double* axes) = nullptr;
   /// By rows. False if they do not lie apart, or cannot be rounded: then the kernels above find them.
   bool (*distinct_moments)(const double* tensor, double* moments, double* gaps) = nullptr;
 

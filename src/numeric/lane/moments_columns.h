@@ -18,19 +18,6 @@ struct MomentsState {
   static constexpr double none = 16;   // there are no results
 };
 
-/// One tensor, with the same entries, and what is found of it.
-struct MomentsOfOne {
-  double diagonal[3];
-  double off[3];
-  double diagonal_low[3];
-  double off_low[3];
-  double moments[3];
-  double moments_low[3];
-  double gaps[2];
-  double axes[3][3];
-  double state;
-};
-
 /// Symmetric tensors by columns: of each tensor the diagonal a_ii, and a_jk for the cyclic (i, j, k). Low
 /// parts are null, or none of them is; so are low parts of the moments, and the axes: what is not asked for.
 /// In and out may not overlap.

@@ -125,9 +125,9 @@ RIGOR_INLINE Frame<T> frame_of(const Rotation<T>& m, const NearlyDiagonal<T>& d)
   const T sine = cosine * d.tangent;
   Frame<T> f;
   for (int i = 0; i < 3; ++i) {
-    const T x = m.column[0][i].high;
-    const T y = m.column[1][i].high;
-    const T z = m.column[2][i].high;
+    const T x = m.at(0, i).high;
+    const T y = m.at(1, i).high;
+    const T z = m.at(2, i).high;
     const T turned_x = norm * (x + z * d.towards[0]);
     const T turned_y = norm * (y + z * d.towards[1]);
     f.separate[i] = norm * (z - (x * d.towards[0] + y * d.towards[1]));
@@ -387,29 +387,29 @@ RIGOR_INLINE void solve_at(const MomentsColumns& c, std::size_t at) {
 }
 
 template <bool sharp, bool with_axes>
-void solve_one(MomentsOfOne& one) {
-  SymmetricTensor<double> a;
-  for (int i = 0; i < 3; ++i) {
-    a.diagonal[i] = {one.diagonal[i], sharp ? one.diagonal_low[i] : 0};
-    a.off[i] = {one.off[i], sharp ? one.off_low[i] : 0};
-  }
+double solve_one(const double* tensor, double* moments, double* gaps, double* axes) {
+  const auto entry = [&](int at) RIGOR_INLINE_LAMBDA {
+    if constexpr (sharp)
+      return DoubleDouble<double>{tensor[2 * at], tensor[2 * at + 1]};
+    else
+      return DoubleDouble<double>{tensor[at], 0};
+  };
+  const SymmetricTensor<double> a{{entry(0), entry(4), entry(8)}, {entry(7), entry(6), entry(3)}};
   const Eigensystem<double> e = solved_of<sharp, with_axes>(a);
   for (int k = 0; k < 3; ++k) {
-    one.moments[k] = e.values[k].high;
-    one.moments_low[k] = e.values[k].low;
-    for (int i = 0; with_axes && i < 3; ++i) one.axes[k][i] = e.axes[k][i];
+    moments[2 * k] = e.values[k].high;
+    moments[2 * k + 1] = e.values[k].low;
+    for (int i = 0; with_axes && i < 3; ++i) axes[3 * k + i] = e.axes[k][i];
   }
-  for (int k = 0; k < 2; ++k) one.gaps[k] = e.gaps[k];
-  one.state = e.state;
+  for (int k = 0; k < 2; ++k) gaps[k] = e.gaps[k];
+  return e.state;
 }
 
-/// `sharp`: the low parts count.
-inline void principal_moments_of_one(MomentsOfOne& one, bool sharp, bool with_axes) {
-  if (with_axes) {
-    sharp ? solve_one<true, true>(one) : solve_one<false, true>(one);
-  } else {
-    sharp ? solve_one<true, false>(one) : solve_one<false, false>(one);
-  }
+inline double principal_moments_of_one(const double* tensor, bool sharp, double* moments, double* gaps,
+                                       double* axes) {
+  if (axes != nullptr)
+    return (sharp ? solve_one<true, true> : solve_one<false, true>)(tensor, moments, gaps, axes);
+  return (sharp ? solve_one<true, false> : solve_one<false, false>)(tensor, moments, gaps, axes);
 }
 
 template <bool sharp, bool with_axes>

@@ -152,6 +152,19 @@ template <class T>
 struct Rotation {
   DoubleDouble<T> column[3][3];
   T excess;
+
+  /// Component i of a column.
+  [[nodiscard]] RIGOR_INLINE DoubleDouble<T> at(int of, int i) const { return column[of][i]; }
+};
+/// Of one tensor: a component of all columns at once, and of the first once more.
+template <>
+struct Rotation<double> {
+  DoubleDouble<Quad> across[3];
+  double excess;
+
+  [[nodiscard]] RIGOR_INLINE DoubleDouble<double> at(int of, int i) const {
+    return {across[i].high[of], across[i].low[of]};
+  }
 };
 
 /// Not normalised.
@@ -190,6 +203,35 @@ RIGOR_INLINE Rotation<T> rotation_of(const Quaternion<T>& q) {
   return m;
 }
 
+template <int i, int j, int k, int l>
+RIGOR_INLINE DoubleDouble<Quad> parts(const DoubleDouble<Quad>& a, const DoubleDouble<Quad>& b) {
+  return {parts<i, j, k, l>(a.high, b.high), parts<i, j, k, l>(a.low, b.low)};
+}
+
+/// The same operations, four at once.
+RIGOR_INLINE Rotation<double> rotation_of(const Quaternion<double>& q) {
+  using Four = DoubleDouble<Quad>;
+  const auto with_signs = [](const Four& x, Quad signs) RIGOR_INLINE_LAMBDA {
+    return Four{x.high * signs, x.low * signs};
+  };
+  const Quad v = quad(q.x, q.y, q.z, q.w);
+  const Four products = exact_product(2 * v, parts<1, 2, 0, 3>(v, v));            // 2xy, 2yz, 2zx
+  const Four turns = exact_product(all<Quad>(2 * q.w), parts<2, 0, 1, 3>(v, v));  // 2wz, 2wx, 2wy
+  const Four squares = exact_product(v, v);
+  const Four above = raw_sum(products, turns);
+  const Four below = raw_sum(products, -turns);
+  // w² + z², x² + y², w² − z², x² − y²; and of them the diagonal and |q|².
+  const Four pairs = raw_sum(parts<3, 0, 3, 0>(squares, squares),
+                             with_signs(parts<2, 1, 2, 1>(squares, squares), quad(1, 1, -1, -1)));
+  const Four diagonal = raw_sum(parts<2, 2, 0, 0>(pairs, pairs),
+                                with_signs(parts<3, 3, 1, 1>(pairs, pairs), quad(1, -1, -1, 1)));
+  const double e = (diagonal.high[3] - 1) + diagonal.low[3];
+  return {{parts<0, 1, 6, 3>(parts<0, 4, 0, 0>(diagonal, below), above),
+           parts<0, 1, 5, 3>(parts<0, 5, 0, 0>(above, diagonal), below),
+           parts<0, 1, 6, 3>(parts<2, 5, 0, 2>(below, above), diagonal)},
+          2 * e + e * e};
+}
+
 /// MᵀbM, which is diagonal but for small numbers: S₀₁, and S₀₂ and S₁₂. Nothing is normalised.
 template <class T>
 struct NearlyDiagonalTensor {
@@ -203,18 +245,12 @@ template <bool sharp>
 RIGOR_INLINE NearlyDiagonalTensor<double> transformed(const SymmetricTensor<double>& b,
                                                       const Rotation<double>& m) {
   using Both = DoubleDouble<Quad>;
-  const auto of_columns = [&](int l) RIGOR_INLINE_LAMBDA {
-    const auto& c = m.column;
-    return Both{quad(c[0][l].high, c[1][l].high, c[2][l].high, c[0][l].high),
-                quad(c[0][l].low, c[1][l].low, c[2][l].low, c[0][l].low)};
-  };
   const auto everywhere = [](DoubleDouble<double> x) RIGOR_INLINE_LAMBDA {
     return Both{all<Quad>(x.high), all<Quad>(x.low)};
   };
-  const Both left[3] = {of_columns(0), of_columns(1), of_columns(2)};
+  const Both* const left = m.across;
   Both right[3];
-  for (int l = 0; l < 3; ++l)
-    right[l] = {parts<0, 1, 2, 1>(left[l].high, left[l].high), parts<0, 1, 2, 1>(left[l].low, left[l].low)};
+  for (int l = 0; l < 3; ++l) right[l] = parts<0, 1, 2, 1>(left[l], left[l]);
   Both bm[3];
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -237,10 +273,10 @@ RIGOR_INLINE NearlyDiagonalTensor<double> transformed(const SymmetricTensor<doub
   s.separate[0] = 0;
   s.separate[1] = 0;
   for (int l = 0; l < 3; ++l) {
-    const DoubleDouble<double> along = exact_product(m.column[2][l].high, s.diagonal[2].high);
+    const DoubleDouble<double> along = exact_product(m.at(2, l).high, s.diagonal[2].high);
     const double rest =
-        (bm[l].high[2] - along.high) + (bm[l].low[2] - (along.low + m.column[2][l].low * s.diagonal[2].high));
-    for (int i = 0; i < 2; ++i) s.separate[i] = s.separate[i] + m.column[i][l].high * rest;
+        (bm[l].high[2] - along.high) + (bm[l].low[2] - (along.low + m.at(2, l).low * s.diagonal[2].high));
+    for (int i = 0; i < 2; ++i) s.separate[i] = s.separate[i] + m.at(i, l).high * rest;
   }
   return s;
 }

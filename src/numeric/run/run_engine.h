@@ -27,13 +27,27 @@ inline constexpr std::size_t cache_line = 64;  // which no load of the widest la
 template <class T>
 inline constexpr std::size_t numbers_in_a_line = NumberTraits<T>::has_lanes ? cache_line / sizeof(T) : 0;
 
+/// From so many particles on, a sum over them for each sample reads a copy of the samples' columns, and adds
+/// up in one of the results. Columns lie anywhere: their loads and stores straddle cache lines, and those
+/// whose sizes are powers of two lie whole pages apart, where they drive each other out of the nearest cache;
+/// both cost up to twice the time, as addresses happen to fall. The copies are aligned and lie close
+/// together.
+inline constexpr std::size_t particles_worth_copies = 4;
+
 /// How many samples of doubles are taken at once: many, because each run of a step costs its call, and few
 /// enough for so many slots to stay in the nearest cache. No result depends on it.
+///
+/// Slots lie one behind the other. A processor may take a load for one of a store that it has not finished
+/// where only their addresses in a page agree, and then begins again: a step that stores at a place in a page
+/// and soon loads from that place in another takes up to five times as long, on some pages. Slots of whole
+/// `lane_count`s put such a load at least sixteen widest lanes before or behind the store, or in the same
+/// iteration, which loads before it stores.
 [[nodiscard]] inline std::size_t fitting_samples(std::size_t slots) {
   constexpr std::size_t numbers_in_cache = 3072;  // of 4,096
   constexpr std::size_t most = 512;
   const std::size_t fitting = numbers_in_cache / std::max<std::size_t>(slots, 1);
-  return std::clamp<std::size_t>(fitting / 64 * 64, lane_count, most);
+  const std::size_t nearest = (fitting + lane_count / 2 - 1) / lane_count * lane_count;
+  return std::clamp<std::size_t>(nearest, lane_count, most);
 }
 
 template <class T>
@@ -48,11 +62,11 @@ class Engine {
     std::size_t buffers = plan_.lanes == Lanes::samples ? plan_.outputs : 0;
     for (const PlanInput& input : plan_.inputs) buffers += input.wide ? 1 : 0;
     const std::size_t narrow = plan_.narrow_registers + plan_.constants.size();
+    copies_ = plan_.lanes == Lanes::samples && particles_ >= particles_worth_copies &&
+              std::ranges::find(plan_.each, Kernel::loop, &PlanStep::kernel) != plan_.each.end();
     if (std::is_same_v<T, double> && plan_.lanes == Lanes::samples)
       samples_at_once_ = fitting_samples(registers_of_samples() + buffers);
-    // A cache line more, so that slots are not whole pages apart: a store would delay loads at its place in
-    // them.
-    const std::size_t width = samples_at_once_ + numbers_in_a_line<T>;
+    const std::size_t width = samples_at_once_;  // of a wide slot
     numbers_.assign((plan_.wide_registers + buffers) * width + narrow + numbers_in_a_line<T>, T(0));
     T* next = numbers_.data();
     while (reinterpret_cast<std::uintptr_t>(next) % cache_line != 0 &&
@@ -135,11 +149,11 @@ class Engine {
 
   void run_batch(std::size_t samples, T* results, std::size_t stride) {
     lanes_here_ = plan_.lanes == Lanes::samples ? static_cast<int>(samples) : lane_count;
-    const bool buffered = plan_.lanes == Lanes::samples && lanes_here_ % lane_step != 0;
+    const bool buffered = plan_.lanes == Lanes::samples && (copies_ || lanes_here_ % lane_step != 0);
     T** const outputs = slots_.data() + plan_.first_output();
     for (std::size_t i = 0; i < plan_.outputs; ++i)
       outputs[i] = buffered ? buffers_[plan_.inputs.size() + i] : results + i * stride;
-    set_inputs(plan_.each_inputs);
+    set_inputs(plan_.each_inputs, copies_);
     execute(plan_.each, each_, 0, plan_.each.size());
     if (!buffered) return;
     for (std::size_t i = 0; i < plan_.outputs; ++i) std::copy_n(outputs[i], samples, results + i * stride);
@@ -174,13 +188,13 @@ class Engine {
     lanes_here_ = lanes_outside;
   }
 
-  void set_inputs(std::span<const std::uint32_t> which) {
-    for (const std::uint32_t each : which) set_input(each);
+  void set_inputs(std::span<const std::uint32_t> which, bool copied = false) {
+    for (const std::uint32_t each : which) set_input(each, copied);
   }
 
   /// Points the slot of an input at the numbers for this sample and these particles. Lanes that do not lie
   /// side by side, or not all of them, are gathered; lanes without a sample or particle are 0.
-  void set_input(std::uint32_t which) {
+  void set_input(std::uint32_t which, bool copied) {
     const PlanInput& input = plan_.inputs[which];
     const BoundInput<T>& from = inputs_[input.input];
     std::size_t particle = 0;
@@ -194,12 +208,15 @@ class Engine {
     T*& slot = slots_[plan_.first_input() + which];
     const std::size_t stride = input.lanes_are_particles ? from.particle_stride : from.sample_stride;
     const int count = lanes_here_;
-    if (!input.wide || (stride == 1 && count % lane_step == 0)) {
+    if (!input.wide || (!copied && stride == 1 && count % lane_step == 0)) {
       slot = const_cast<T*>(first);  // operands are only read
       return;
     }
     slot = buffers_[which];
-    for (int i = 0; i < count; ++i) slot[i] = first[static_cast<std::size_t>(i) * stride];
+    if (stride == 1)
+      std::copy_n(first, count, slot);
+    else
+      for (int i = 0; i < count; ++i) slot[i] = first[static_cast<std::size_t>(i) * stride];
     for (int i = count; i % lane_step != 0; ++i) slot[i] = T(0);
   }
 
@@ -233,6 +250,7 @@ class Engine {
   std::size_t sample_ = 0;
   std::size_t particle_[deepest_level + 1] = {};
   std::size_t samples_at_once_ = lane_count;
+  bool copies_ = false;          // of what all particles read and add to: see `particles_worth_copies`
   int lanes_here_ = lane_count;  // that count: samples of the batch, or particles of a loop over lanes
 };
 

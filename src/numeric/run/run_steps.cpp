@@ -56,10 +56,14 @@ void run_step(double* const* slots, const PlanStep& step, int count) {
     int i = 0;
     for (; i + lanes <= (ending == Ending::add ? count : computed); i += lanes) {
       Lanes v[results];
+      Lanes before[results];
+      // All loads come first: see `fitting_samples`.
+      for (int k = 0; k < results; ++k)
+        if constexpr (ending == Ending::add) before[k] = load(out[k] + i);
       x.lanes_at(i, v);
       for (int k = 0; k < results; ++k) {
         const Lanes last = ending == Ending::divide ? v[k] / factor : v[k] * factor;
-        store(out[k] + i, ending == Ending::add ? load(out[k] + i) + last : last);
+        store(out[k] + i, ending == Ending::add ? before[k] + last : last);
       }
     }
     for (; ending == Ending::add && i < count; ++i) {

@@ -262,8 +262,8 @@ class BodyReader {
       parts.push_back({std::move(*part), offset});
     }
     if (!is_good) return std::nullopt;
-    return value_or_report(joined(name_, parts), DiagnosticKind::bad_body, reader_.span_of("parts"),
-                           diagnostics_);
+    return value_or_report(joined(name_, std::move(parts)), DiagnosticKind::bad_body,
+                           reader_.span_of("parts"), diagnostics_);
   }
 
   TomlReader reader_;

@@ -14,6 +14,7 @@
 #include "numeric/program/code.h"
 #include "numeric/random_forms.h"
 #include "numeric/rounded_reference.h"
+#include "numeric/run/run_engine.h"
 #include "numeric/run/run_samples.h"
 
 using namespace rigor;
@@ -320,6 +321,21 @@ TEST_CASE("components that are computed together are those that are computed alo
         }
         CHECK(same_bits(together, alone));
       }
+    }
+  }
+}
+
+TEST_CASE("sums over particles have the same bits where columns are copied and where they are not",
+          "[numeric]") {
+  for (const std::size_t samples : {1u, 128u, 130u, 520u, 2048u}) {
+    for (const std::size_t particles : {particles_worth_copies - 1, particles_worth_copies}) {
+      Spinning spinning(samples, particles);
+      const auto [m, r, w, alpha] = std::tuple(spinning.m, spinning.r, spinning.w, spinning.alpha);
+      const Named momentum = spinning.page.vector("L");
+      spinning.page.define(momentum, over(alpha, m(alpha) * cross(r(alpha), cross(w, r(alpha)))));
+      const Program program = compiled(spinning.page, tuple(at(momentum, 1), at(w, 2), at(momentum, 3)));
+      CHECK(same_bits(run_on_samples<double>(program, spinning.data, Lanes::samples, {}),
+                      run_on_samples<double>(program, spinning.data, Lanes::none, {})));
     }
   }
 }
