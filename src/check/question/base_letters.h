@@ -2,6 +2,7 @@
 // What an equation is about.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <vector>
@@ -26,6 +27,23 @@ namespace rigor {
 /// The letter by which some symbols are differentiated with nothing held, if there is one.
 [[nodiscard]] std::optional<Variable> only_letter_differentiated_by(const ExprTree& tree,
                                                                     const std::set<SymbolId>& symbols);
+
+/// How often a symbol is differentiated.
+struct Orders {
+  int time = 0;
+  int space = 0;
+  int letter = 0;  // by the letter that the claim differentiates by: x of `y''(x)`
+  [[nodiscard]] int total() const { return time + space + letter; }
+  /// Each to the other's, where that is higher.
+  void raise_to(const Orders& other) {
+    time = std::max(time, other.time);
+    space = std::max(space, other.space);
+    letter = std::max(letter, other.letter);
+  }
+};
+[[nodiscard]] inline Orders orders_of(const Symbol& symbol, const std::optional<Variable>& letter) {
+  return {symbol.order(By::time), symbol.order(By::space), letter ? symbol.order(*letter) : 0};
+}
 
 /// One of three rules for the components of a derivative, which make a definition together.
 [[nodiscard]] bool is_joined(const ExprTree& tree, const NameScope& scope, const Equation& equation);

@@ -36,13 +36,6 @@ struct FoundDefinition {
   bool at_instant;
 };
 
-struct Orders {
-  int time = 0;
-  int space = 0;
-  int letter = 0;  // that the claim differentiates by: x of `y''(x)`
-  [[nodiscard]] int total() const { return time + space + letter; }
-};
-
 class Preparation {
  public:
   Preparation(ExprTree& tree, const Names& names, int slack, Precision precision, int order)
@@ -60,6 +53,7 @@ class Preparation {
     follow(claim);
     for (const ExprId each : also) follow(Equation{.left = each, .right = each});
     letter_ = only_letter_differentiated_by(tree_, reached_);
+    for (const SymbolId symbol : reached_) highest_reached_[base_of(symbol)].raise_to(orders_of(symbol));
     for (const SymbolId symbol : reached_)
       highest_order_ = std::max(highest_order_, orders_of(symbol).total());
     if (precision_ == Precision::small_order) add_small();
@@ -94,6 +88,7 @@ class Preparation {
 
   void reach(SymbolId symbol, std::vector<ExprId>& pending) {
     if (!reached_.insert(symbol).second) return;
+    highest_reached_[base_of(symbol)].raise_to(orders_of(symbol));
     if (const auto& integral = tree_.symbols[symbol].integral) {
       for (const ExprId part : parts_of(*integral)) pending.push_back(part);
     }
@@ -139,9 +134,7 @@ class Preparation {
                                [this](SymbolId each) { return is_reached(base_of(each)); });
   }
 
-  [[nodiscard]] bool is_reached(SymbolId base) const {
-    return std::ranges::any_of(reached_, [&](SymbolId each) { return base_of(each) == base; });
-  }
+  [[nodiscard]] bool is_reached(SymbolId base) const { return highest_reached_.contains(base); }
 
   // --- times and places
 
@@ -472,10 +465,7 @@ class Preparation {
 
   SymbolId base_of(SymbolId symbol) const { return rigor::base_of(tree_.symbols, symbol); }
 
-  Orders orders_of(SymbolId symbol) const {
-    const Symbol& named = tree_.symbols[symbol];
-    return {named.order(By::time), named.order(By::space), letter_ ? named.order(*letter_) : 0};
-  }
+  Orders orders_of(SymbolId symbol) const { return rigor::orders_of(tree_.symbols[symbol], letter_); }
 
   /// An equation with a derivative by x is one for all x.
   [[nodiscard]] bool runs_with_letter(const std::vector<SymbolId>& symbols) const {
@@ -526,15 +516,13 @@ class Preparation {
     Orders highest;
     int own_order = 0;
     for (const SymbolId own : symbols) {
-      own_order = std::max(own_order, orders_of(own).total());
-      for (const SymbolId reached : reached_) {
-        if (base_of(reached) != base_of(own)) continue;
-        wanted.time = std::max(wanted.time, orders_of(reached).time - orders_of(own).time);
-        wanted.space = std::max(wanted.space, orders_of(reached).space - orders_of(own).space);
-        wanted.letter = std::max(wanted.letter, orders_of(reached).letter - orders_of(own).letter);
-        highest.time = std::max(highest.time, orders_of(reached).time);
-        highest.space = std::max(highest.space, orders_of(reached).space);
-      }
+      const Orders its = orders_of(own);
+      own_order = std::max(own_order, its.total());
+      const auto found = highest_reached_.find(base_of(own));
+      if (found == highest_reached_.end()) continue;
+      const Orders& reached = found->second;
+      wanted.raise_to({reached.time - its.time, reached.space - its.space, reached.letter - its.letter});
+      highest.raise_to({reached.time, reached.space, 0});
     }
     if (!symbols.empty() && wanted.time < 0 && wanted.space < 0 && wanted.letter < 0) return false;
     if (!runs_with_letter(symbols)) wanted.letter = 0;
@@ -675,6 +663,7 @@ class Preparation {
   Prepared prepared_;
   DerivativeBudget budget_;
   std::set<SymbolId> reached_;
+  std::map<SymbolId, Orders> highest_reached_;  // of each letter and its derivatives
   std::optional<Variable> letter_;
   int highest_order_ = 0;  // of a derivative in the claim, definitions unfolded
   int highest_law_ = 0;    // of a derivative in an assumption as it stands
