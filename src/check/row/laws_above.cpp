@@ -180,6 +180,7 @@ struct Reach {
   bool one_of_several = false;               // `F = -kx` and `F = mg`: each of them holds in its paragraph
   std::vector<std::string> conditions;       // that are said of the row
   const std::set<std::string>& stated_here;  // how the laws of this section begin
+  const CasesNamed& cases;                   // that are named above the row
   bool of_any_thing = false;                 // also what may be of another thing than the letter's definition
 };
 
@@ -194,6 +195,7 @@ bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& r
   if (!said) return false;
   const bool in_reach = law.argument == here.argument || is_named_beside(place, stated);
   if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
+  if (reach.cases.names_another_since(stated.of_case) && !is_named_beside(place, stated)) return false;
   const bool reaches = sections.reaches(law.place, here.place);
   if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place) ||
                    is_stated_anew(stated, reach.stated_here)))
@@ -314,6 +316,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
                                 .beginnings = beginnings_of_law(place.tree, equation),
                                 .conditions = conditions_said(place, parsed),
                                 .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
+                                .of_case = case_said_at(place.notes.prose, place.event, place.section),
                                 .letter = letter_of_law(place.tree, equation),
                                 .meanings = meanings_of(place, equation)});
 }
@@ -397,6 +400,7 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
                 .names_a_letter = brings_in};
     place.found.stated.push_back({.law = std::move(law),
                                   .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
+                                  .of_case = case_said_in(place.notes.prose, said.sentence, place.section),
                                   .letter = letter_of_law(place.tree, equation),
                                   .meanings = meanings_of(place, equation)});
   }
@@ -421,13 +425,14 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_
     if (is_here(stated)) ++times.here;
   }
   const std::vector<std::string> conditions = conditions_said(place, parsed);
+  const CasesNamed cases(place.notes.prose, place.event, place.section);
   Laws available;
   for (const StatedLaw& stated : place.above.stated) {
     const Span at = stated.law.span;
     const Span own = parsed.written.span;
     const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
     const Times times = stated.letter ? said[*stated.letter] : Times{};
-    const Reach reach{(is_here(stated) ? times.here : times.anywhere) > 1, conditions, stated_here,
+    const Reach reach{(is_here(stated) ? times.here : times.anywhere) > 1, conditions, stated_here, cases,
                       of_any_thing};
     if (!of_this_chain && is_available(place, stated, reach)) available.push_back(&stated.law);
   }

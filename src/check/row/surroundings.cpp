@@ -84,6 +84,10 @@ void add_said(RowPlace& place, const SaidInLine& said, const ParsedChain& parsed
   // "We know that $ab = 0$." holds from there on.
   const bool stated_above =
       said.alone && in_reach && said.before <= place.event && said.sentence < at.beside().sentence;
+  const CaseSaid of_case = case_said_in(place.notes.prose, said.sentence, place.section);
+  if (!same_sentence &&
+      CasesNamed(place.notes.prose, place.event, place.section).names_another_since(of_case))
+    return;
   if (!same_sentence && !stated_above &&
       !(said.cue == Cue::definition && in_reach && said.before <= place.event))
     return;
