@@ -11,7 +11,7 @@ namespace rigor {
 namespace {
 
 /// Known from a directive about this symbol, or about one with the same key.
-std::optional<KnownChange> declared_change(const Names& names, const SymbolTable& table, SymbolId base,
+std::optional<KnownChange> declared_change(const Names& names, const ExprTree& tree, SymbolId base,
                                            const Variable& by) {
   const NameKey* key = key_of(names.symbols, base);
   for (const DeclaredConstant& constant : names.scope.constants) {
@@ -19,8 +19,12 @@ std::optional<KnownChange> declared_change(const Names& names, const SymbolTable
     const bool same = constant.symbol == base || (own != nullptr && key != nullptr && *own == *key);
     if (!same) continue;
     // A vector or tensor that does not change along fixed axes does along turning ones.
-    const bool turns = key != nullptr && key->rank > 0 && !is_principal_value(names.symbols, table, base);
+    const bool turns =
+        key != nullptr && key->rank > 0 && !is_principal_value(names.symbols, tree.symbols, base);
     if (turns && by == By::time && constant.frames < names.scope.frames->size()) continue;
+    // `E = p^2/2m` is constant in time; by p it has the derivative that its definition gives.
+    const auto body = by.by == By::letter ? body_of_definition(names.scope, base) : std::nullopt;
+    if (body && is_one_of(by.letter, symbols_reached(tree, names.scope, {*body}))) continue;
     return KnownChange{{Dependence::Kind::constant}, constant.directive};
   }
   return std::nullopt;
@@ -66,7 +70,7 @@ KnownChange change_but_for_squares(const Names& names, const ExprTree& tree, Sym
   if (by.held && (*by.held == symbol || *by.held == base)) return {{Dependence::Kind::constant}};
   if (tree.symbols[base].is_fixed() && definition_of(names.scope, base) == nullptr)
     return {{Dependence::Kind::constant}};
-  if (auto declared = declared_change(names, tree.symbols, base, by)) return *std::move(declared);
+  if (auto declared = declared_change(names, tree, base, by)) return *std::move(declared);
   const NameKey* key = key_of(names.symbols, symbol);
   if (definition_of(names.scope, symbol) != nullptr) return {};
   if (by.by == By::letter) {
