@@ -308,6 +308,11 @@ std::optional<Doubt> by_a_constant(RowPlace& place, const StepReading&, const Cl
   return std::nullopt;
 }
 
+/// `\dot{\mathbf A} = \dot A_i\mathbf e_i + \boldsymbol\omega\times\mathbf A` in a rotating frame
+std::optional<Doubt> in_turning_axes(RowPlace& place, const StepReading&, const Claim& claim) {
+  return about_turning_axes(place, claim);
+}
+
 /// "Then", "hence" behind a row that is not read, or that words restrict: these restrict what is concluded,
 /// too.
 std::optional<Doubt> behind_an_open_row(RowPlace& place, const StepReading&, const Claim& claim) {
@@ -330,10 +335,10 @@ void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
 }
 
 std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row, const Claim& claim) {
-  for (const auto ask :
-       {behind_an_open_row, by_a_constant, of_letters_held, of_degrees_alone, of_a_contradiction,
-        with_a_unit_missing, in_natural_units, about_written_zeros, of_a_matrix_and_a_number,
-        of_another_value, among_alternatives, by_a_borrowed_letter, for_other_values}) {
+  for (const auto ask : {behind_an_open_row, by_a_constant, in_turning_axes, of_letters_held,
+                         of_degrees_alone, of_a_contradiction, with_a_unit_missing, in_natural_units,
+                         about_written_zeros, of_a_matrix_and_a_number, of_another_value, among_alternatives,
+                         by_a_borrowed_letter, for_other_values}) {
     if (auto doubt = ask(place, row, claim)) return doubt;
   }
   return std::nullopt;
