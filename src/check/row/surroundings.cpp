@@ -50,6 +50,20 @@ bool share_a_letter(const SyntaxTree& syntax, const ParsedChain& one, const Pars
                              [&](const std::string& letter) { return others.contains(letter); });
 }
 
+/// Those that the definitions of a row's letters lead to: t of `x = a`, where `x = a\cos\omega t`.
+std::set<std::string> letters_of_definitions(RowPlace& place, const ParsedChain& parsed) {
+  const auto reading = read_here(place, parsed);
+  std::set<std::string> letters;
+  for (const Side& side : reading->sides) {
+    if (!side.typed) continue;
+    for (const SymbolId each : symbols_reached(place.tree, place.names.scope, {side.typed->id})) {
+      const NameKey* key = key_of(place.names.symbols, base_of(place.tree.symbols, each));
+      if (key != nullptr) letters.insert(key->base);
+    }
+  }
+  return letters;
+}
+
 bool can_be_assumed(RelationKind kind) {
   return kind == RelationKind::equal || kind == RelationKind::defines || is_order(kind);
 }
@@ -181,9 +195,18 @@ Standpoint standpoint(RowPlace& place, const ParsedChain& parsed) {
                 .facts = {},
                 .heading = lowered(place.section),
                 .unread = {}};
+  std::optional<std::set<std::string>> defined;
+  const auto bears = [&](const SaidInLine& said, const ParsedChain& chain) {
+    if (share_a_letter(place.notes.syntax, chain, parsed)) return true;
+    if (said.before > place.event || !place.notes.prose.sections.reaches(said.place, at.beside().place))
+      return false;
+    if (!defined) defined = letters_of_definitions(place, parsed);
+    return std::ranges::any_of(letters_in(place.notes.syntax, chain.sides),
+                               [&](const std::string& letter) { return defined->contains(letter); });
+  };
   for (const SaidInLine& said : place.notes.prose.said) {
     for (const ParsedChain& chain : said.chains) {
-      if (!chain.written.relations.empty() && share_a_letter(place.notes.syntax, chain, parsed)) {
+      if (!chain.written.relations.empty() && bears(said, chain)) {
         add_said(place, said, parsed, at);
         break;
       }
