@@ -10,6 +10,31 @@
 namespace rigor {
 namespace {
 
+/// Known from its letter: the time t, the position.
+Dependence usual_change(const NameKey& key, const Variable& by) {
+  using Kind = Dependence::Kind;
+  if (key == NameKey{"t", 0, false}) return {by == By::time ? Kind::variable : Kind::constant};
+  if (by != By::space) return {};
+  if (key.rank == 1 && key.space == 0 && (key.base == "r" || key.base == "x")) return {Kind::variable};
+  if (key.rank != 0 || key.complex || key.noncommuting) return {};
+  if (key.base == "x" || key.base == "y" || key.base == "z")
+    return {Kind::variable, static_cast<std::uint8_t>(key.base[0] - 'x' + 1)};
+  return {};
+}
+
+/// `E = p^2/2m + kx^2/2` is constant in time; by p and by place it has the derivative that its definition
+/// gives.
+bool is_defined_with(const Names& names, const ExprTree& tree, SymbolId base, const Variable& by) {
+  if (by == By::time || by == By::small) return false;
+  const auto body = body_of_definition(names.scope, base);
+  if (!body) return false;
+  return std::ranges::any_of(symbols_reached(tree, names.scope, {*body}), [&](SymbolId each) {
+    if (by.by == By::letter) return each == by.letter;
+    const NameKey* key = key_of(names.symbols, each);
+    return key != nullptr && usual_change(*key, by).kind == Dependence::Kind::variable;
+  });
+}
+
 /// Known from a directive about this symbol, or about one with the same key.
 std::optional<KnownChange> declared_change(const Names& names, const ExprTree& tree, SymbolId base,
                                            const Variable& by) {
@@ -22,24 +47,10 @@ std::optional<KnownChange> declared_change(const Names& names, const ExprTree& t
     const bool turns =
         key != nullptr && key->rank > 0 && !is_principal_value(names.symbols, tree.symbols, base);
     if (turns && by == By::time && constant.frames < names.scope.frames->size()) continue;
-    // `E = p^2/2m` is constant in time; by p it has the derivative that its definition gives.
-    const auto body = by.by == By::letter ? body_of_definition(names.scope, base) : std::nullopt;
-    if (body && is_one_of(by.letter, symbols_reached(tree, names.scope, {*body}))) continue;
+    if (is_defined_with(names, tree, base, by)) continue;
     return KnownChange{{Dependence::Kind::constant}, constant.directive};
   }
   return std::nullopt;
-}
-
-/// Known from its letter: the time t, the position.
-Dependence usual_change(const NameKey& key, const Variable& by) {
-  using Kind = Dependence::Kind;
-  if (key == NameKey{"t", 0, false}) return {by == By::time ? Kind::variable : Kind::constant};
-  if (by != By::space) return {};
-  if (key.rank == 1 && key.space == 0 && (key.base == "r" || key.base == "x")) return {Kind::variable};
-  if (key.rank != 0 || key.complex || key.noncommuting) return {};
-  if (key.base == "x" || key.base == "y" || key.base == "z")
-    return {Kind::variable, static_cast<std::uint8_t>(key.base[0] - 'x' + 1)};
-  return {};
 }
 
 /// The name of a symbol, as the section's evidence has it.
