@@ -193,7 +193,8 @@ class RowJoiner {
                                    {"columns of `align` say which of them goes on with which"}};
       current.condition_span = span_of(tokens);
     }
-    if (starts_with_relation(tokens) && !trim(current.tokens).empty() &&
+    const bool one = second_statement(current.tokens) == current.tokens.size();
+    if (starts_with_relation(tokens) && one && !trim(current.tokens).empty() &&
         is_sign(trim(current.tokens).back(), ",")) {  // `a &= b, \\ &= c`
       const std::size_t last = last_sign(current.tokens);
       uses_.mark(TokenView(current.tokens).subspan(last), TokenUse::layout);
