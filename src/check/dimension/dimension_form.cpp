@@ -21,6 +21,17 @@ bool stands_in_columns(const ExprTree& tree, const ExprNode& node) {
   return false;
 }
 
+/// 2 of `2 + t`, which may have lost its unit; 1 of `1 + v^2/c^2` is a number.
+bool may_lack_a_unit(const ExprTree& tree, ExprId id) {
+  if (tree[id].op == Op::negate) return may_lack_a_unit(tree, tree.children(id)[0]);
+  return tree[id].op == Op::number && !tree.is_zero_literal(id) && tree.digits(id) != "1";
+}
+
+bool has_a_unit(const ExprTree& tree, ExprId id) {
+  return std::ranges::any_of(symbols_in(tree, id),
+                             [&](SymbolId each) { return tree.symbols[each].unit_of_measure.has_value(); });
+}
+
 }  // namespace
 
 bool DimensionForm::is_valid() const {
@@ -128,7 +139,9 @@ DimensionForm DimensionReader::common(ExprId id, Alike alike) {
   DimensionForm first;
   first.any = true;
   Span place{};
+  const bool lenient = alike == Alike::terms && !has_a_unit(tree_, id);
   for (const ExprId child : tree_.children(id)) {
+    if (lenient && may_lack_a_unit(tree_, child)) continue;
     DimensionForm form = read(child);
     if (first.any) {
       first = std::move(form);

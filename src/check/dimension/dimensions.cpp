@@ -8,6 +8,7 @@
 
 #include "check/constant/natural_units.h"
 #include "check/dimension/dimension_words.h"
+#include "check/doubt/own_units.h"
 
 namespace rigor {
 namespace {
@@ -157,7 +158,7 @@ class Solving {
 
   void say(const DimensionStatement& statement, Diagnostic diagnostic, const DimensionEquation& equation) {
     Step& step = step_of(statement);
-    if (may_be_natural(statement, diagnostic)) return;
+    if (may_be_natural(statement, diagnostic) || has_a_unit_of_the_notes(step)) return;
     const bool doubt = diagnostic.kind == DiagnosticKind::dimension_doubt;
     if (doubt && (step.verdict == Verdict::proved || equation.alike == Alike::components)) return;
     const bool known = std::ranges::any_of(report_.steps, [&](const Step& other) {
@@ -175,6 +176,15 @@ class Solving {
            std::ranges::any_of(diagnostic.labels, [&](const Label& label) {
              return mentions_electronvolts(sources_.text(label.span));
            });
+  }
+
+  /// `1\,\text{F} = 10^{-15}\,\text{m}`: F is no farad in these notes.
+  bool has_a_unit_of_the_notes(const Step& step) const {
+    return std::ranges::any_of(report_.steps, [&](const Step& each) {
+      if (each.verdict != Verdict::undecided) return false;
+      const auto unit = unit_introduced(each.left, each.right);
+      return unit && writes_unit(step.source, *unit);
+    });
   }
 
   void take(const DimensionStatement& statement) {

@@ -137,6 +137,37 @@ std::optional<OpenPart> author_command(const WrittenChain& written) {
   return std::nullopt;
 }
 
+/// `f(\mathbf r(u))`: a plain letter before a bracket that holds nothing but a function's value is one of its
+/// own rather than a factor.
+std::optional<OpenPart> open_argument(const SyntaxTree& syntax, const ParsedChain& parsed,
+                                      std::size_t which) {
+  const auto is_value = [&](SyntaxId id) {
+    if (syntax[id].kind == SyntaxKind::group) id = syntax.child(id, 0);
+    if (syntax[id].kind != SyntaxKind::term || syntax.children(id).size() != 2) return false;
+    const auto children = syntax.children(id);
+    return syntax[children[0].id].kind == SyntaxKind::symbol && children[1].joint == Joint::juxtaposed &&
+           syntax[children[1].id].kind == SyntaxKind::group;
+  };
+  std::optional<OpenPart> found;
+  for (const std::size_t side : {which, which + 1}) {
+    holds(syntax, parsed.sides[side], [&](SyntaxId id) {
+      if (syntax[id].kind != SyntaxKind::term) return false;
+      const auto children = syntax.children(id);
+      for (std::size_t k = 1; k < children.size(); ++k) {
+        const SyntaxId letter = children[k - 1].id;
+        const bool applied = syntax[letter].kind == SyntaxKind::symbol &&
+                             syntax.symbol(letter).face == Face::plain &&
+                             children[k].joint == Joint::juxtaposed &&
+                             syntax[children[k].id].kind == SyntaxKind::group && is_value(children[k].id);
+        if (applied)
+          found = OpenPart{syntax[letter].span, "this letter can be a function of what follows it"};
+      }
+      return found.has_value();
+    });
+  }
+  return found;
+}
+
 /// Numbers have an order, and symmetric matrices.
 bool has_order(RankSet ranks) { return (ranks & 0b0101) != 0; }
 
@@ -201,6 +232,7 @@ void doubt_errors(const SyntaxTree& syntax, const Names& names, const ParsedChai
     if (!open && step && diagnostic.kind == DiagnosticKind::rank_mismatch) {
       open = order_of_components(syntax, names, parsed, which);
       if (!open) open = open_letter(syntax, names, parsed, which);
+      if (!open) open = open_argument(syntax, parsed, which);
       if (!open) open = open_rank(syntax, names, parsed, which);
     }
     if (!open && step && diagnostic.kind == DiagnosticKind::free_index_mismatch)

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "base/among.h"
+#include "base/ascii.h"
+#include "check/prose/other_case.h"
 #include "check/question/decision_cache.h"
 #include "check/word/prose_words.h"
 
@@ -55,6 +57,8 @@ bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedD
   if (origin.on_its_line || anew) return true;
   const Prose& prose = at.prose;
   const ProseBeside& said = prose.beside[origin.event];
+  const CaseSaid of_case = case_said_at(prose, origin.event, lowered(origin.section));
+  if (CasesNamed(prose, at.event, at.heading).names_another_since(of_case, true)) return true;
   if (!prose.sections.reaches(origin.place, at.beside().place))
     return origin.conditional || origin.of_a_case || is_value(tree, named.definition.body) ||
            prose.sections.leaves_an_example(origin.place, at.beside().place);

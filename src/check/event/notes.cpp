@@ -173,6 +173,8 @@ class CheckedNotesReader {
               add_self_adjoint(sentence, letter);
             } else if (sentence.has_display) {
               add_said_kind(sentence, span, letter, relation);
+            } else if (relation == "$ > 0") {
+              add_size(sentence, letter, {});
             }
           }
         }
@@ -180,7 +182,7 @@ class CheckedNotesReader {
     }
   }
 
-  /// "of mass $m$": that m is positive, for those who ask.
+  /// "of mass $m$", "$m$ is positive": that m is so, for those who ask.
   void add_said_sizes() {
     for (const ProseSentence& sentence : notes_.prose.sentences) {
       if (sentence.asks) continue;
@@ -188,13 +190,14 @@ class CheckedNotesReader {
         if (size.maths >= sentence.maths.size()) continue;
         const auto tokens = maths_in_line(sentence.maths[size.maths]);
         if (!tokens) continue;
-        for (const Tokens& letter : listed_letters(*tokens)) {
-          for (ParsedChain& chain : parse_each({about(letter, "$ > 0").first}))
-            notes_.prose.sizes.push_back(
-                {std::move(chain), text_of(letter), sentence.place, std::string(size.noun)});
-        }
+        for (const Tokens& letter : listed_letters(*tokens)) add_size(sentence, letter, size.noun);
       }
     }
+  }
+
+  void add_size(const ProseSentence& sentence, const Tokens& letter, std::string_view noun) {
+    for (ParsedChain& chain : parse_each({about(letter, "$ > 0").first}))
+      notes_.prose.sizes.push_back({std::move(chain), text_of(letter), sentence.place, std::string(noun)});
   }
 
   /// "the Hermitian operator $\hat A$"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -27,12 +28,12 @@ class NonZero {
       add_angles(side);
       const bool repeats = !equation.indices.empty() || !equation.particles.empty();
       if (repeats || tree_.is_zero_literal(side)) continue;
-      const std::vector<SignedTerm> terms = signed_terms(tree_, side);
+      const std::vector<ExprId> terms = written_terms(side);
       if (!vanishes && !has_function(side)) sides_.insert(side);
       if (terms.size() == 1) continue;
       std::vector<ExprId>& own = vanishes ? vanishing_.emplace_back() : terms_;
-      for (const SignedTerm& term : terms) {
-        if (!has_function(term.id)) own.push_back(term.id);
+      for (const ExprId term : terms) {
+        if (!has_function(term)) own.push_back(term);
       }
     }
   }
@@ -71,6 +72,39 @@ class NonZero {
   }
 
  private:
+  /// The terms of a sum as they are written: what a product under a derivative multiplies out to is one.
+  [[nodiscard]] std::vector<ExprId> written_terms(ExprId side) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<SignedTerm>> by_span;
+    std::vector<ExprId> written;
+    for (const SignedTerm& term : signed_terms(tree_, side)) {
+      const Span span = tree_[term.id].span;
+      if (span.empty()) {
+        written.push_back(term.id);
+      } else {
+        by_span[{span.begin, span.end}].push_back(term);
+      }
+    }
+    for (const auto& [place, terms] : by_span) {
+      if (terms.size() == 1 || tree_[terms[0].id].rank > 1) {
+        for (const SignedTerm& term : terms) written.push_back(term.id);
+        continue;
+      }
+      std::vector<ExprId> parts;
+      for (const SignedTerm& term : terms) {
+        const ExprNode node = tree_[term.id];
+        parts.push_back(
+            term.negative
+                ? tree_.add({.op = Op::negate, .rank = node.rank, .span = node.span, .axes = node.axes},
+                            std::span(&term.id, 1))
+                : term.id);
+      }
+      const ExprNode first = tree_[terms[0].id];
+      written.push_back(
+          tree_.add({.op = Op::add, .rank = first.rank, .span = first.span, .axes = first.axes}, parts));
+    }
+    return written;
+  }
+
   /// Not those of an angle or an exponent: a sample has `\sin Q`, and no Q.
   void add_letters(ExprId id) {
     const ExprNode& node = tree_[id];

@@ -14,6 +14,7 @@
 #include "check/law/page_law.h"
 #include "check/ledger/ledger.h"
 #include "check/place/check_options.h"
+#include "check/prose/other_case.h"
 #include "check/verdict/chain_reading.h"
 #include "check/verdict/judge.h"
 
@@ -28,6 +29,7 @@ struct StatedLaw {
   std::vector<std::string> beginnings = {};  // its left side, and the first term of that
   std::vector<std::string> conditions = {};  // `r < R` next to it, as they are written
   bool of_a_section = false;                 // its heading is about a special case: "Electrostatics"
+  CaseSaid of_case = {};                     // "In incompressible flow"
   std::optional<SymbolId> letter = {};       // F of `F = -kx`: what it says that the letter is
   std::vector<std::pair<SymbolId, ExprId>> meanings = {};  // of its letters that are defined
 };

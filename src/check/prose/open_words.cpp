@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 
 #include "base/ascii.h"
@@ -74,28 +75,34 @@ std::optional<std::string> dropping_word_in(std::string_view text) {
   return std::nullopt;
 }
 
+/// The last one before the display, in its section; behind "hence" the one before its premise.
+const ProseSentence* sentence_above(const Prose& prose, const ProseBeside& beside) {
+  const auto end = std::ranges::lower_bound(prose.sentences, beside.sentence, {}, &ProseSentence::number);
+  const bool concludes = says_that_it_follows(beside.lead);
+  for (auto at = end; at != prose.sentences.begin() && std::prev(at)->place == beside.place; --at) {
+    const ProseSentence& sentence = *std::prev(at);
+    const bool premise = sentence.has_display && concludes && says_that_it_follows(sentence.text);
+    if (!premise) return &sentence;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::optional<std::string> word_of_dropped_terms(const Prose& prose, std::size_t event) {
   const ProseBeside& beside = prose.beside[event];
   if (auto word = dropping_word_in(beside.lead)) return word;
   if (auto word = dropping_word_in(beside.tail)) return word;
-  for (const ProseSentence& sentence : prose.sentences) {
-    const bool before = sentence.number + 1 == beside.sentence && sentence.place == beside.place;
-    if (before) return dropping_word_in(sentence.text);
-  }
-  return std::nullopt;
+  const ProseSentence* above = sentence_above(prose, beside);
+  return above == nullptr ? std::nullopt : dropping_word_in(above->text);
 }
 
 std::optional<std::string> open_word(const Prose& prose, std::size_t event) {
   const ProseBeside& beside = prose.beside[event];
   if (auto word = open_word_in(beside.lead)) return word;
   if (auto word = open_word_in(beside.tail)) return word;
-  for (const ProseSentence& sentence : prose.sentences) {
-    const bool before = sentence.number + 1 == beside.sentence && sentence.place == beside.place;
-    if (before) return open_word_in(sentence.text);
-  }
-  return std::nullopt;
+  const ProseSentence* above = sentence_above(prose, beside);
+  return above == nullptr ? std::nullopt : open_word_in(above->text);
 }
 
 }  // namespace rigor

@@ -40,7 +40,7 @@ struct LetterInLine {
   ParsedChain chain;  // that says so: `m > 0`, `\hat A^\dagger = \hat A`
   std::string letter;
   std::size_t place = 0;
-  std::string noun = {};  // "mass"
+  std::string noun = {};  // "mass"; empty where the words say "positive"
 };
 
 /// A whole sentence of the prose.

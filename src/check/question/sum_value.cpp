@@ -24,6 +24,21 @@ namespace {
 constexpr int most_written_out = 40;
 constexpr int farthest_shift = 3;
 
+/// u of e^u, and of a product of such powers.
+std::optional<ExprId> exponent_of(ExprTree& tree, ExprId id) {
+  const ExprNode node = tree[id];
+  const std::vector<ExprId> children(tree.children(id).begin(), tree.children(id).end());
+  if (node.op == Op::function && node.function == Function::exp) return children[0];
+  if (node.op != Op::multiply) return std::nullopt;
+  std::vector<ExprId> exponents;
+  for (const ExprId child : children) {
+    const auto exponent = exponent_of(tree, child);
+    if (!exponent) return std::nullopt;
+    exponents.push_back(*exponent);
+  }
+  return tree.add({.op = Op::add, .span = node.span}, exponents);
+}
+
 }  // namespace
 
 ExprId IntegralValues::plus(ExprId id, int number, Span span) {
@@ -168,6 +183,19 @@ bool IntegralValues::differs_from_one(ExprId ratio, Span span, IntegralValue& re
 /// Does r^k vanish at infinity? That |r| < 1 is a condition, unless it is known or cannot be.
 bool IntegralValues::falls(ExprId ratio, Span span, IntegralValue& result) {
   if (has_complex_numbers(tree_, ratio)) return false;
+  if (const auto exponent = exponent_of(tree_, ratio)) {  // e^u < 1
+    Equation negative;
+    negative.left = *exponent;
+    negative.right = tree_.add_number(span, "0");
+    negative.relation = Relation::less;
+    Equation other = negative;
+    std::swap(other.left, other.right);
+    other.relation = Relation::less_or_equal;
+    if (holds(negative)) return true;
+    if (holds(other)) return false;
+    require(negative, result);
+    return true;
+  }
   const ExprId one = tree_.add_number(span, "1");
   Equation near;  // as notes write it
   near.left = tree_.add({.op = Op::absolute, .span = span}, std::span(&ratio, 1));

@@ -146,6 +146,7 @@ Standpoint standpoint_of_proofs(RowPlace& place, const ParsedChain& parsed) {
 }
 
 void heed_proof(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement) {
+  if (auto doubt = about_turning_axes(place, claim)) return withdraw(judgement, claim, *std::move(doubt));
   if (judgement.uses.empty()) return;
   const Standpoint at = standpoint_of_proofs(place, parsed);
   judgement = heed_cases(place.tree, place.names, claim, std::move(judgement), at, place.options.cache);

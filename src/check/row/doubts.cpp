@@ -13,6 +13,8 @@
 #include "check/constant/natural_units.h"
 #include "check/doubt/digits.h"
 #include "check/doubt/equation_of_letters.h"
+#include "check/doubt/named_elements.h"
+#include "check/doubt/own_units.h"
 #include "check/law/state_facts.h"
 #include "check/place/place.h"
 #include "check/prose/open_words.h"
@@ -91,6 +93,49 @@ std::optional<Doubt> about_written_zeros(RowPlace& place, const StepReading& row
 bool is_number_alone(const ExprTree& tree, ExprId side) {
   return tree[side].op == Op::number ||
          (tree[side].op == Op::negate && is_number_alone(tree, tree.children(side)[0]));
+}
+
+std::optional<Doubt> of_named_elements(RowPlace& place, const StepReading&, const Claim& claim) {
+  if (is_meant_for_all(place.tree, place.names, claim) || !may_multiply_elements(place.tree, claim.equation))
+    return std::nullopt;
+  return doubt("its indices can number the elements of an algebra, and then it says how these are multiplied",
+               "`rigor: claim …` asks whether it holds for all components");
+}
+
+/// `1\,\text{F} = 10^{-15}\,\text{m}`, or a row with such a unit.
+std::optional<Doubt> of_a_unit_of_the_notes(RowPlace& place, const StepReading& row, const Claim& claim) {
+  const auto units_in = [&](ExprId side) {
+    std::set<SymbolId> found;
+    for (const SymbolId each : symbols_in(place.tree, side)) {
+      if (place.tree.symbols[each].unit_of_measure) found.insert(each);
+    }
+    return found;
+  };
+  // `1\,\mathrm{km} = 100\,\mathrm m` is about the unit that is known.
+  if (units_in(claim.equation.left) == units_in(claim.equation.right)) return std::nullopt;
+  std::set<std::string> units;
+  const auto note = [&](std::optional<std::string> unit) {
+    if (unit) units.insert(*std::move(unit));
+  };
+  for (std::size_t k = 0; k <= place.event; ++k) {
+    const auto* display = std::get_if<ParsedDisplay>(&place.notes.events[k]);
+    if (display == nullptr) continue;
+    for (const ParsedChain& chain : display->chains) {
+      if (chain.written.sides.size() == 2)
+        note(unit_introduced(text_of(chain.written.sides[0].tokens), text_of(chain.written.sides[1].tokens)));
+    }
+  }
+  for (const SaidInLine& said : place.notes.prose.said) {
+    if (said.before <= place.event) note(unit_introduced_in(place.sources.text(said.span)));
+  }
+  const std::string text = written_at(place, row.parsed.written.span);
+  const auto own =
+      std::ranges::find_if(units, [&](const std::string& unit) { return writes_unit(text, unit); });
+  if (own == units.end()) return std::nullopt;
+  return Doubt{.message =
+                   fmt::format("the notes say what the unit `{}` is, so it can be another one than the "
+                               "one that is known by this sign",
+                               *own)};
 }
 
 /// `0 = 12`: nobody miscalculates that.
@@ -308,6 +353,11 @@ std::optional<Doubt> by_a_constant(RowPlace& place, const StepReading&, const Cl
   return std::nullopt;
 }
 
+/// `\dot{\mathbf A} = \dot A_i\mathbf e_i + \boldsymbol\omega\times\mathbf A` in a rotating frame
+std::optional<Doubt> in_turning_axes(RowPlace& place, const StepReading&, const Claim& claim) {
+  return about_turning_axes(place, claim);
+}
+
 /// "Then", "hence" behind a row that is not read, or that words restrict: these restrict what is concluded,
 /// too.
 std::optional<Doubt> behind_an_open_row(RowPlace& place, const StepReading&, const Claim& claim) {
@@ -330,10 +380,10 @@ void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
 }
 
 std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row, const Claim& claim) {
-  for (const auto ask :
-       {behind_an_open_row, by_a_constant, of_letters_held, of_degrees_alone, of_a_contradiction,
-        with_a_unit_missing, in_natural_units, about_written_zeros, of_a_matrix_and_a_number,
-        of_another_value, among_alternatives, by_a_borrowed_letter, for_other_values}) {
+  for (const auto ask : {behind_an_open_row, by_a_constant, in_turning_axes, of_named_elements,
+                         of_a_unit_of_the_notes, of_letters_held, of_degrees_alone, of_a_contradiction,
+                         with_a_unit_missing, in_natural_units, about_written_zeros, of_a_matrix_and_a_number,
+                         of_another_value, among_alternatives, by_a_borrowed_letter, for_other_values}) {
     if (auto doubt = ask(place, row, claim)) return doubt;
   }
   return std::nullopt;

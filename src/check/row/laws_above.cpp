@@ -17,6 +17,7 @@
 #include "check/meaning/identity_reading.h"
 #include "check/meaning/measured.h"
 #include "check/place/place.h"
+#include "check/word/place_words.h"
 #include "check/word/prose_words.h"
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/name/function_value.h"
@@ -158,9 +159,20 @@ bool is_named_beside(const RowPlace& place, const StatedLaw& stated) {
                              [&](const std::string& each) { return is_one_of(each, stated.labels); });
 }
 
-/// Its left side, and the first term of that: `m\ddot x` of `m\ddot x + kx = 0`.
+/// Its left side, and the first term of that: `m\ddot x` of `m\ddot x + kx = 0`. The rate in this term says
+/// what it is an equation of: `\ddot x = -\omega^2x` is one of the same letter.
 std::vector<std::string> beginnings_of_law(ExprTree& tree, const Equation& equation) {
-  return {dump(tree, equation.left), dump(tree, signed_terms(tree, equation.left).front().id)};
+  const ExprId first = signed_terms(tree, equation.left).front().id;
+  std::vector<std::string> beginnings{dump(tree, equation.left), dump(tree, first)};
+  const std::vector<ExprId> factors =
+      tree[first].op == Op::multiply ? std::vector(tree.children(first).begin(), tree.children(first).end())
+                                     : std::vector{first};
+  for (const ExprId factor : factors) {
+    const ExprNode& node = tree[factor];
+    if (node.op == Op::symbol && tree.symbols[node.symbol].derivation)
+      beginnings.push_back(dump(tree, factor));
+  }
+  return beginnings;
 }
 
 /// `U = RI` defines U, and "a coil has" `U = L\dot I`: both need not be about one thing.
@@ -180,6 +192,7 @@ struct Reach {
   bool one_of_several = false;               // `F = -kx` and `F = mg`: each of them holds in its paragraph
   std::vector<std::string> conditions;       // that are said of the row
   const std::set<std::string>& stated_here;  // how the laws of this section begin
+  const CasesNamed& cases;                   // that are named above the row
   bool of_any_thing = false;                 // also what may be of another thing than the letter's definition
 };
 
@@ -194,6 +207,7 @@ bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& r
   if (!said) return false;
   const bool in_reach = law.argument == here.argument || is_named_beside(place, stated);
   if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
+  if (reach.cases.names_another_since(stated.of_case) && !is_named_beside(place, stated)) return false;
   const bool reaches = sections.reaches(law.place, here.place);
   if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place) ||
                    is_stated_anew(stated, reach.stated_here)))
@@ -257,8 +271,21 @@ bool is_of_a_moment(const RowPlace& place) {
   return !behind.empty() && (behind[0] == "at" || behind[0] == "when" || behind[0] == "initially");
 }
 
+namespace {
+
+/// "There is no charge on the axis", also behind the display: "on the axis."
+bool is_of_a_spot(const RowPlace& place) {
+  if (names_a_spot(beside(place).lead)) return true;
+  const std::string& tail = beside(place).tail;
+  const std::vector<std::string_view> behind = words_of(tail);
+  return !behind.empty() && is_one_of(behind[0], {"on", "along", "in"}) && names_a_spot(tail);
+}
+
+}  // namespace
+
 bool says_values_at_a_moment(const RowPlace& place, const Equation& equation) {
-  if (!is_of_a_moment(place) || says_that_it_follows(beside(place).lead)) return false;
+  const bool somewhere = is_of_a_moment(place) || is_of_a_spot(place);
+  if (!somewhere || says_that_it_follows(beside(place).lead)) return false;
   const ExprTree& tree = place.tree;
   if (sets_letters_equal(tree, equation))
     return !has_integral(tree, equation.left) && !has_integral(tree, equation.right);
@@ -287,7 +314,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
     return;
   const ProseBeside& here = beside(place);
   const bool beside_an_arrow = parsed.written.premise || parsed.written.inference != Inference::none;
-  const bool momentary = is_of_a_moment(place);
+  const bool momentary = is_of_a_moment(place) || asks_directly(here.lead);
   const bool operators =
       has_operators(place.tree, equation.left) || has_operators(place.tree, equation.right);
   const bool sets = sets_letters_equal(place.tree, equation);
@@ -297,7 +324,8 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
   };
   const bool in_a_case =
       announces_a_conclusion(here.lead) && std::ranges::any_of(place.above.stated, is_of_this_case);
-  const bool lasts = of_values || (!momentary && says_that_a_field_vanishes(place, equation));
+  const bool lasts =
+      of_values || (!momentary && !is_of_a_spot(place) && says_that_a_field_vanishes(place, equation));
   PageLaw law{.equation = equation,
               .name = name_of_law(parsed.written.tag, relation, place.sources, word_of(standing)),
               .span = relation,
@@ -314,6 +342,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
                                 .beginnings = beginnings_of_law(place.tree, equation),
                                 .conditions = conditions_said(place, parsed),
                                 .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
+                                .of_case = case_said_at(place.notes.prose, place.event, place.section),
                                 .letter = letter_of_law(place.tree, equation),
                                 .meanings = meanings_of(place, equation)});
 }
@@ -397,6 +426,7 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
                 .names_a_letter = brings_in};
     place.found.stated.push_back({.law = std::move(law),
                                   .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
+                                  .of_case = case_said_in(place.notes.prose, said.sentence, place.section),
                                   .letter = letter_of_law(place.tree, equation),
                                   .meanings = meanings_of(place, equation)});
   }
@@ -421,13 +451,14 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_
     if (is_here(stated)) ++times.here;
   }
   const std::vector<std::string> conditions = conditions_said(place, parsed);
+  const CasesNamed cases(place.notes.prose, place.event, place.section);
   Laws available;
   for (const StatedLaw& stated : place.above.stated) {
     const Span at = stated.law.span;
     const Span own = parsed.written.span;
     const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
     const Times times = stated.letter ? said[*stated.letter] : Times{};
-    const Reach reach{(is_here(stated) ? times.here : times.anywhere) > 1, conditions, stated_here,
+    const Reach reach{(is_here(stated) ? times.here : times.anywhere) > 1, conditions, stated_here, cases,
                       of_any_thing};
     if (!of_this_chain && is_available(place, stated, reach)) available.push_back(&stated.law);
   }

@@ -28,6 +28,21 @@ void leave(RowPlace& place, const StepReading& row, const Claim& claim, Standing
   if (!claim.nearly) leave_to_rows_below(place, row.parsed, claim.equation, claim.relation, standing);
 }
 
+/// A result holds where the laws do that it follows from.
+void leave_result(RowPlace& place, const StepReading& row, const Claim& claim,
+                  const std::vector<std::string>& uses) {
+  const std::size_t before = place.found.stated.size();
+  leave(place, row, claim, Standing::result);
+  if (place.found.stated.size() == before) return;
+  StatedLaw& result = place.found.stated.back();
+  for (const StatedLaw& ground : place.above.stated) {
+    if (!is_one_of(ground.law.name, uses)) continue;
+    result.beginnings.insert(result.beginnings.end(), ground.beginnings.begin(), ground.beginnings.end());
+    result.of_case.words.insert(result.of_case.words.end(), ground.of_case.words.begin(),
+                                ground.of_case.words.end());
+  }
+}
+
 /// It would follow from a conclusion that follows from nothing itself.
 Judgement follows_from_open(const Laws& available, const Claim& claim, Judgement judgement) {
   const auto open = std::ranges::find_if(available, [&](const PageLaw* law) {
@@ -217,7 +232,7 @@ bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& cla
   const bool of_its_sentence = std::ranges::any_of(
       grounds.of_its_sentence, [&](const PageLaw* law) { return is_one_of(law->name, judgement.uses); });
   if (judgement.verdict == Verdict::proved && !both_ways && !of_its_sentence)
-    leave(place, row, claim, Standing::result);
+    leave_result(place, row, claim, judgement.uses);
   return true;
 }
 

@@ -63,6 +63,14 @@ struct Doubt {
 };
 
 void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt);
+// --- proofs.cpp: What the words and the relations around a row leave of its proof.
+
+/// Is it said for numbers for which its sums and integrals, which the proof takes to exist, do not? "For $x >
+/// 1$ the series $\sum x^n$", "for all $x$".
+void heed_existence(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement);
+/// Basis vectors in rates are read as fixed; "the axes turn with the body" says something else.
+[[nodiscard]] std::optional<Doubt> about_turning_axes(RowPlace& place, const Claim& claim);
+
 /// The first reason why the row need not be wrong.
 [[nodiscard]] std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row,
                                                        const Claim& claim);

@@ -86,7 +86,8 @@ std::vector<NamedAssumption> sizes_of(RowPlace& place, const Claim& claim,
     const ExprNode& node = place.tree[reading->sides[0].typed->id];
     const bool letter = node.op == Op::symbol && node.rank == 0 && node.slot_count == 0;
     if (!letter || !letters.erase(node.symbol)) continue;  // once
-    sizes.push_back(positive(place, claim.relation, node.symbol, fmt::format("a {} is", said.noun)));
+    sizes.push_back(positive(place, claim.relation, node.symbol,
+                             said.noun.empty() ? "the notes say" : fmt::format("a {} is", said.noun)));
   }
   return sizes;
 }

@@ -50,6 +50,20 @@ bool share_a_letter(const SyntaxTree& syntax, const ParsedChain& one, const Pars
                              [&](const std::string& letter) { return others.contains(letter); });
 }
 
+/// Those that the definitions of a row's letters lead to: t of `x = a`, where `x = a\cos\omega t`.
+std::set<std::string> letters_of_definitions(RowPlace& place, const ParsedChain& parsed) {
+  const auto reading = read_here(place, parsed);
+  std::set<std::string> letters;
+  for (const Side& side : reading->sides) {
+    if (!side.typed) continue;
+    for (const SymbolId each : symbols_reached(place.tree, place.names.scope, {side.typed->id})) {
+      const NameKey* key = key_of(place.names.symbols, base_of(place.tree.symbols, each));
+      if (key != nullptr) letters.insert(key->base);
+    }
+  }
+  return letters;
+}
+
 bool can_be_assumed(RelationKind kind) {
   return kind == RelationKind::equal || kind == RelationKind::defines || is_order(kind);
 }
@@ -84,6 +98,10 @@ void add_said(RowPlace& place, const SaidInLine& said, const ParsedChain& parsed
   // "We know that $ab = 0$." holds from there on.
   const bool stated_above =
       said.alone && in_reach && said.before <= place.event && said.sentence < at.beside().sentence;
+  const CaseSaid of_case = case_said_in(place.notes.prose, said.sentence, place.section);
+  if (!same_sentence &&
+      CasesNamed(place.notes.prose, place.event, place.section).names_another_since(of_case))
+    return;
   if (!same_sentence && !stated_above &&
       !(said.cue == Cue::definition && in_reach && said.before <= place.event))
     return;
@@ -177,9 +195,18 @@ Standpoint standpoint(RowPlace& place, const ParsedChain& parsed) {
                 .facts = {},
                 .heading = lowered(place.section),
                 .unread = {}};
+  std::optional<std::set<std::string>> defined;
+  const auto bears = [&](const SaidInLine& said, const ParsedChain& chain) {
+    if (share_a_letter(place.notes.syntax, chain, parsed)) return true;
+    if (said.before > place.event || !place.notes.prose.sections.reaches(said.place, at.beside().place))
+      return false;
+    if (!defined) defined = letters_of_definitions(place, parsed);
+    return std::ranges::any_of(letters_in(place.notes.syntax, chain.sides),
+                               [&](const std::string& letter) { return defined->contains(letter); });
+  };
   for (const SaidInLine& said : place.notes.prose.said) {
     for (const ParsedChain& chain : said.chains) {
-      if (!chain.written.relations.empty() && share_a_letter(place.notes.syntax, chain, parsed)) {
+      if (!chain.written.relations.empty() && bears(said, chain)) {
         add_said(place, said, parsed, at);
         break;
       }
@@ -279,84 +306,6 @@ void remember(RowPlace& place, const Claim& claim, const Standpoint& at, bool pr
 bool is_restricted(const Judgement& judgement) {
   return std::ranges::any_of(judgement.diagnostics,
                              [](const Diagnostic& each) { return each.kind == DiagnosticKind::restricted; });
-}
-
-/// `x` of "for all $x$", "for every real number $x$", "for all $x, y$" in the sentence of the row, where x is
-/// one of the letters.
-std::optional<std::string> letter_said_for_all(const RowPlace& place, const std::set<SymbolId>& letters) {
-  static constexpr std::array<std::string_view, 6> between{"real",     "values",  "of",
-                                                           "positive", "integer", "whole"};
-  const auto& sentences = place.notes.prose.sentences;
-  const auto own = std::ranges::find(sentences, beside(place).sentence, &ProseSentence::number);
-  if (own == sentences.end()) return std::nullopt;
-  const std::string text = lowered(own->text);
-  const std::vector<std::string_view> words = words_of(text);
-  std::size_t maths = 0;
-  bool of_all = false;
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    if (words[k] != "$") {
-      const bool goes_on = of_all && (is_one_of(words[k], between) || is_general_noun(words[k]));
-      const bool denied = k > 1 && is_one_of(words[k - 2], {"not", "never"});  // "does not hold for all"
-      const bool denied_before = k > 2 && is_one_of(words[k - 3], {"not", "never"});
-      of_all = goes_on || (means_all(words[k]) && !denied && !denied_before);
-      continue;
-    }
-    if (maths >= own->maths.size()) break;
-    const std::string_view written = without_blanks_around(place.sources.text(own->maths[maths++]));
-    if (!std::exchange(of_all, false)) continue;
-    for (const SymbolId each : letters) {
-      const std::string& name = place.tree.symbols[each].name;
-      const bool alone = written == name || (written.starts_with(name) && written.find(',') == name.size()) ||
-                         (written.starts_with(name) && written.find("\\in") != std::string_view::npos);
-      if (alone) return name;
-    }
-  }
-  return std::nullopt;
-}
-
-/// Names that assume what the sentence or the display of the row says; nothing where it says nothing.
-std::optional<Names> with_what_is_said(RowPlace& place, const StepReading& row) {
-  const Span display = span_of(place.notes.events[place.event]);
-  const std::size_t sentence = beside(place).sentence;
-  const auto is_of_its_sentence = [&](const Fact& fact) {
-    if (fact.span.file == display.file && fact.span.begin >= display.begin && fact.span.end <= display.end)
-      return true;
-    return std::ranges::any_of(place.notes.prose.said, [&](const SaidInLine& said) {
-      return said.sentence == sentence && said.span.file == fact.span.file &&
-             said.span.begin == fact.span.begin;
-    });
-  };
-  std::optional<Names> names;
-  for (const Fact& fact : standpoint(place, row.parsed).facts) {
-    if (!fact.proves || fact.elsewhere || !is_of_its_sentence(fact)) continue;
-    if (!names) names = place.names;
-    assume(names->scope, {fact.equation, Origin{fact.text, {}, std::nullopt}, 0});
-  }
-  return names;
-}
-
-/// Is it said for numbers for which its sums and integrals, which the proof takes to exist, do not? "For $x >
-/// 1$ the series $\sum x^n$", "for all $x$".
-void heed_existence(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
-  if (judgement.verdict != Verdict::proved || judgement.exists_under.empty()) return;
-  std::vector<Equation> conditions = judgement.exists_under;
-  if (const std::optional<Names> names = with_what_is_said(place, row)) {
-    Judgement said = judge(place.tree, *names, claim, {}, place.options.cache);
-    if (said.verdict != Verdict::proved)
-      return withdraw(
-          judgement, claim,
-          {.message = "it is said for numbers for which its sums or integrals may have no value"});
-    conditions = std::move(said.exists_under);
-  }
-  std::set<SymbolId> letters;
-  for (const Equation& condition : conditions)
-    letters.merge(base_letters(place.tree, place.names.scope, condition));
-  if (const auto letter = letter_said_for_all(place, letters))
-    withdraw(judgement, claim,
-             {.message = fmt::format("it is said for all `{}`, and its sums or integrals have a value only "
-                                     "for some",
-                                     *letter),
-              .help = {"a condition next to it, as in `for |x| < 1`, says where they have one"}});
 }
 
 }  // namespace

@@ -266,6 +266,65 @@ void name_nearest(const std::vector<Repair>& near, Diagnostics& said) {
                                        : fmt::format("follows from {}", fmt::join(nearest.uses, ", "))));
 }
 
+/// `- T\dot c` of `pV = cT`: nothing differentiates c, so nobody has left that out.
+bool adds_a_new_rate(const RowPlace& place, const Repair& repair) {
+  constexpr std::string_view dot = "\\dot";
+  if (!repair.adds_a_term) return false;
+  const std::string& text = repair.replacement;
+  for (auto at = text.find(dot); at != std::string::npos; at = text.find(dot, at + 1)) {
+    auto begin = text.find_first_not_of(" {", at + dot.size());
+    if (begin == std::string::npos) break;
+    std::size_t end = begin + 1;
+    if (text[begin] == '\\') {
+      while (end < text.size() && is_letter(text[end])) ++end;
+    }
+    const std::string letter = text.substr(begin, end - begin);
+    const bool plain = is_letter(text[begin]) || letter.size() > 2;
+    const bool face = letter == "\\mathbf" || letter == "\\vec" || letter == "\\hat" || letter == "\\bar" ||
+                      letter == "\\boldsymbol" || letter == "\\bm" || letter == "\\mathrm";
+    if (plain && !face && !is_changing(*place.names.symbols.evidence, letter)) return true;
+  }
+  return false;
+}
+
+/// `\nabla\cdot\mathbf r = 2` of "In the plane", in its sentence, its heading or a sentence above
+bool counts_in_the_plane(const RowPlace& place, const StepReading& row) {
+  const std::string text = written_at(place, row.parsed.written.span);
+  const auto writes = [&](std::string_view sign) { return text.find(sign) != std::string::npos; };
+  if (!writes("\\nabla") && !writes("\\delta") && !writes("\\partial") && !writes("\\operatorname"))
+    return false;
+  const auto speaks = [](std::string_view words) {
+    const std::vector<std::string_view> all = words_of(words);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (is_one_of(all[k], {"plane", "planar", "two-dimensional", "plane's"})) return true;
+      if (k > 0 && all[k - 1] == "two" && is_one_of(all[k], {"dimensions", "dimension"})) return true;
+    }
+    return false;
+  };
+  const ProseBeside& here = beside(place);
+  return speaks(lowered(place.section)) || speaks(here.lead) || speaks(here.tail) ||
+         std::ranges::any_of(place.notes.prose.sentences, [&](const ProseSentence& each) {
+           return each.number < here.sentence && place.notes.prose.sections.reaches(each.place, here.place) &&
+                  speaks(each.text);
+         });
+}
+
+/// "Here $\dot{\mathbf r}\times\mathbf p = 0$." above it may be what it follows from.
+bool holds_with_lines(RowPlace& place, const StepReading& row, const Claim& claim) {
+  Names names = place.names;
+  bool any = false;
+  for (const Fact& fact : standpoint(place, row.parsed).facts) {
+    const bool line = std::ranges::any_of(place.notes.prose.said, [&](const SaidInLine& said) {
+      return said.span.file == fact.span.file && said.span.begin == fact.span.begin && said.cue != Cue::apart;
+    });
+    if (!line || fact.elsewhere) continue;
+    assume(names.scope, {fact.equation, Origin{fact.text, {}, std::nullopt}, 0, fact.at_instant});
+    any = true;
+  }
+  return any && judge(place.tree, names, claim, limits_of_candidates, place.options.cache).verdict ==
+                    Verdict::proved;
+}
+
 }  // namespace
 
 bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
@@ -301,6 +360,9 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
       suspicion(place.tree, names, {wrong, claim, grounds, to_be_solved, may_lack_a_term, restricted},
                 *place.options.cache);
   if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
+  if (adds_a_new_rate(place, found->repair) || counts_in_the_plane(place, row) ||
+      holds_with_lines(place, row, claim))
+    return false;
   judgement.verdict = Verdict::suspect;
   judgement.route = "one slip of the pen away from what follows";
   judgement.uses = std::move(found->uses);

@@ -9,6 +9,7 @@
 
 #include "base/among.h"
 #include "check/doubt/digits.h"
+#include "check/doubt/named_elements.h"
 #include "check/doubt/row_doubts.h"
 #include "check/question/decision_cache.h"
 #include "check/question/unread.h"
@@ -228,6 +229,12 @@ void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainRe
     step.diagnostics.push_back(*reason);
     if (context.role == Role::display)
       walk.above.unread_rows.emplace_back(walk.notes.prose.beside[walk.event].place, step.span);
+  } else if (context.role == Role::display && place.heeds_words && may_be_cycles(step.left, step.right)) {
+    step.diagnostics.push_back({DiagnosticKind::unsupported,
+                                step.relation_span,
+                                "the numbers in brackets can be permutations, written as cycles",
+                                {},
+                                {"`rigor: claim …` asks whether it holds for the numbers"}});
   } else if (row.left().typed && row.right().typed) {
     follow_row(walk, place, row, context, step);
   } else {

@@ -408,6 +408,27 @@ bool goes_on_with_the_argument(std::string_view clause) {
                              [](auto word) { return is_one_of(word, first) || is_one_of(word, more); });
 }
 
+namespace {
+
+/// "Taking the flow to be compressible", "Let the gas be diatomic", "If instead"; not "Let the flow also be
+/// steady".
+bool supposes_something_else(const Words& words) {
+  static constexpr std::array<std::string_view, 9> supposing{
+      "taking", "assuming", "supposing", "treating", "suppose", "assume", "imagine", "let", "letting"};
+  static constexpr std::array<std::string_view, 5> being{"be", "is", "are", "were", "being"};
+  static constexpr std::array<std::string_view, 6> more{"also",    "further", "moreover",
+                                                        "besides", "again",   "still"};
+  static constexpr std::array<std::string_view, 6> turning{"instead",  "conversely", "otherwise",
+                                                           "contrast", "contrary",   "unlike"};
+  const auto has = [&](const auto& list) {
+    return std::ranges::any_of(words, [&](std::string_view word) { return is_one_of(word, list); });
+  };
+  if (has(turning)) return true;
+  return !words.empty() && is_one_of(words[0], supposing) && has(being) && !has(more);
+}
+
+}  // namespace
+
 bool begins_a_case(std::string_view clause) {
   static constexpr auto first =
       std::to_array<std::string_view>({"for", "in", "at", "on", "inside", "outside", "within", "between",
@@ -417,8 +438,8 @@ bool begins_a_case(std::string_view clause) {
        "these",      "those",      "terms",       "other",    "addition", "fact", "order",
        "what",       "which",      "convenience", "brevity",  "words",    "we"});
   const Words words = words_of(clause);
-  return words.size() > 1 && is_one_of(words[0], first) && !is_one_of(words[1], pointing) &&
-         !means_all(words[1]);
+  return supposes_something_else(words) || (words.size() > 1 && is_one_of(words[0], first) &&
+                                            !is_one_of(words[1], pointing) && !means_all(words[1]));
 }
 
 bool has_own_words(std::string_view lead) {

@@ -10,22 +10,6 @@
 namespace rigor {
 namespace {
 
-/// Known from a directive about this symbol, or about one with the same key.
-std::optional<KnownChange> declared_change(const Names& names, const SymbolTable& table, SymbolId base,
-                                           const Variable& by) {
-  const NameKey* key = key_of(names.symbols, base);
-  for (const DeclaredConstant& constant : names.scope.constants) {
-    const NameKey* own = key_of(names.symbols, constant.symbol);
-    const bool same = constant.symbol == base || (own != nullptr && key != nullptr && *own == *key);
-    if (!same) continue;
-    // A vector or tensor that does not change along fixed axes does along turning ones.
-    const bool turns = key != nullptr && key->rank > 0 && !is_principal_value(names.symbols, table, base);
-    if (turns && by == By::time && constant.frames < names.scope.frames->size()) continue;
-    return KnownChange{{Dependence::Kind::constant}, constant.directive};
-  }
-  return std::nullopt;
-}
-
 /// Known from its letter: the time t, the position.
 Dependence usual_change(const NameKey& key, const Variable& by) {
   using Kind = Dependence::Kind;
@@ -36,6 +20,37 @@ Dependence usual_change(const NameKey& key, const Variable& by) {
   if (key.base == "x" || key.base == "y" || key.base == "z")
     return {Kind::variable, static_cast<std::uint8_t>(key.base[0] - 'x' + 1)};
   return {};
+}
+
+/// `E = p^2/2m + kx^2/2` is constant in time; by p and by place it has the derivative that its definition
+/// gives.
+bool is_defined_with(const Names& names, const ExprTree& tree, SymbolId base, const Variable& by) {
+  if (by == By::time || by == By::small) return false;
+  const auto body = body_of_definition(names.scope, base);
+  if (!body) return false;
+  return std::ranges::any_of(symbols_reached(tree, names.scope, {*body}), [&](SymbolId each) {
+    if (by.by == By::letter) return each == by.letter;
+    const NameKey* key = key_of(names.symbols, each);
+    return key != nullptr && usual_change(*key, by).kind == Dependence::Kind::variable;
+  });
+}
+
+/// Known from a directive about this symbol, or about one with the same key.
+std::optional<KnownChange> declared_change(const Names& names, const ExprTree& tree, SymbolId base,
+                                           const Variable& by) {
+  const NameKey* key = key_of(names.symbols, base);
+  for (const DeclaredConstant& constant : names.scope.constants) {
+    const NameKey* own = key_of(names.symbols, constant.symbol);
+    const bool same = constant.symbol == base || (own != nullptr && key != nullptr && *own == *key);
+    if (!same) continue;
+    // A vector or tensor that does not change along fixed axes does along turning ones.
+    const bool turns =
+        key != nullptr && key->rank > 0 && !is_principal_value(names.symbols, tree.symbols, base);
+    if (turns && by == By::time && constant.frames < names.scope.frames->size()) continue;
+    if (is_defined_with(names, tree, base, by)) continue;
+    return KnownChange{{Dependence::Kind::constant}, constant.directive};
+  }
+  return std::nullopt;
 }
 
 /// The name of a symbol, as the section's evidence has it.
@@ -66,7 +81,7 @@ KnownChange change_but_for_squares(const Names& names, const ExprTree& tree, Sym
   if (by.held && (*by.held == symbol || *by.held == base)) return {{Dependence::Kind::constant}};
   if (tree.symbols[base].is_fixed() && definition_of(names.scope, base) == nullptr)
     return {{Dependence::Kind::constant}};
-  if (auto declared = declared_change(names, tree.symbols, base, by)) return *std::move(declared);
+  if (auto declared = declared_change(names, tree, base, by)) return *std::move(declared);
   const NameKey* key = key_of(names.symbols, symbol);
   if (definition_of(names.scope, symbol) != nullptr) return {};
   if (by.by == By::letter) {

@@ -104,6 +104,8 @@ bool is_total_rate_of_field(Reading& reading, const Typed& typed, Span span) {
   for (const SymbolId symbol : symbols_in(reading.tree, typed.id)) {
     const bool varies = change_of(reading, symbol, By::space).kind == Dependence::Kind::varies;
     if (!varies || !is_field(reading.names, reading.tree, symbol)) continue;
+    // A constant of the motion that is defined by places
+    if (change_of(reading, symbol, By::time).kind == Dependence::Kind::constant) continue;
     unsupported(
         reading, span,
         fmt::format("the total rate of the field `{}` is not decided", reading.tree.symbols[symbol].name),

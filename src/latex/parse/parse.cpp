@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "latex/parse/parser.h"
+#include "latex/parse/unseen_braces.h"
 
 namespace rigor {
 namespace {
@@ -25,6 +26,7 @@ bool holds_opaque(const SyntaxTree& tree, SyntaxId side) {
 
 SyntaxId parse_side(TokenView tokens, Span place, SyntaxTree& tree, Choices* choices) {
   Tokens written(tokens.begin(), tokens.end());
+  lift_idle_braces(written);
   SideAccount account(written);
   const SyntaxId side = Parser(tree, account, 0, choices, written).expression(written, place);
   const Token* left_over = account.left_over();

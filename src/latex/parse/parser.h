@@ -97,6 +97,7 @@ class Parser {
   SyntaxId braced(Cursor& cursor);     // \underbrace, \overbrace
   SyntaxId fraction(Cursor& cursor);
   SyntaxId root(Cursor& cursor);
+  SyntaxId signed_summand(Cursor& cursor);
   SyntaxId big_sum(Cursor& cursor);
   SyntaxId braced_bracket(Cursor& cursor);  // \abs{…}, \norm{…}, \qty(…)
 

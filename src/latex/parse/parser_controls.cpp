@@ -173,6 +173,18 @@ SyntaxId Parser::root(Cursor& cursor) {
   return tree_.add(SyntaxKind::root, span, {&child, 1});
 }
 
+/// `-a_i` of `\sum_i -a_i`
+SyntaxId Parser::signed_summand(Cursor& cursor) {
+  const Span place = cursor.token().span;
+  const Joint sign = *sign_joint(cursor.token());
+  read_sign(cursor);
+  ++cursor.at;
+  cursor.skip_spacing();
+  if (cursor.done()) return opaque(place, "an operand is missing after the sign", DiagnosticKind::bad_syntax);
+  const SyntaxChild child{term(cursor), sign, place};
+  return tree_.add(SyntaxKind::sum, cover(place, tree_[child.id].span), {&child, 1});
+}
+
 SyntaxId Parser::big_sum(Cursor& cursor) {
   const Token token = cursor.token();
   ++cursor.at;
@@ -193,7 +205,7 @@ SyntaxId Parser::big_sum(Cursor& cursor) {
   }
   const SumReading reading = read_sum_bounds(lower, upper);
   if (cursor.done()) return opaque(token.span, "the sum has no summand", DiagnosticKind::bad_syntax);
-  const SyntaxId body = term(cursor);
+  const SyntaxId body = sign_joint(cursor.token()) ? signed_summand(cursor) : term(cursor);
   if (again) return opaque(token.span, "the sum has two bounds on one side", DiagnosticKind::bad_syntax);
   if (reading.obstacle) return tree_.add_opaque(token.span, *reading.obstacle);
   const Span span = cover(token.span, tree_[body].span);

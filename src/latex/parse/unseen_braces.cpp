@@ -185,4 +185,100 @@ bool holds_unseen_sum(TokenView tokens, std::size_t at) {
   return inside.sum && !inside.seen;
 }
 
+namespace {
+
+bool is_operator(const Token& token) {
+  return is_sign_of(token, "+-*/") ||
+         is_control_of(token, {"cdot", "times", "wedge", "pm", "mp", "ast", "star", "otimes"});
+}
+
+/// The last token before `at` that is no blank.
+std::optional<std::size_t> before(const Tokens& tokens, std::size_t at) {
+  while (at > 0) {
+    if (tokens[--at].kind != TokenKind::space) return at;
+  }
+  return std::nullopt;
+}
+
+class IdleBraces {
+ public:
+  explicit IdleBraces(Tokens& tokens) : tokens_(tokens), opening_(tokens.size()) {}
+
+  void lift() {
+    std::vector<std::size_t> open;
+    for (std::size_t at = 0; at < tokens_.size(); ++at) {
+      if (tokens_[at].kind == TokenKind::begin_group) open.push_back(at);
+      if (tokens_[at].kind != TokenKind::end_group || open.empty()) continue;
+      opening_[at] = open.back();
+      open.pop_back();
+      close(*opening_[at], at);
+    }
+  }
+
+ private:
+  void close(std::size_t open, std::size_t end) {
+    const auto inside = before(tokens_, end);
+    if (!inside || *inside < open) return;
+    const auto previous = before(tokens_, open);
+    if (*inside == open) return empty(open, end, previous);
+    const auto first = before(tokens_, *inside);
+    const bool alone = first && *first == open;
+    if (alone && is_operator(tokens_[*inside]) && previous && ends_an_operand(*previous)) blank({open, end});
+  }
+
+  void empty(std::size_t open, std::size_t end, std::optional<std::size_t> previous) {
+    if (!previous) return;
+    const Token& token = tokens_[*previous];
+    if (token.kind == TokenKind::control && !function_name(token.text).empty()) blank({open, end});
+    if (token.kind != TokenKind::subscript && token.kind != TokenKind::superscript) return;
+    if (is_kind_at(tokens_, skip_blank(tokens_, end + 1), token.kind)) return;  // two of them on one base
+    if (const auto base = before(tokens_, *previous); base && takes_scripts(*base))
+      blank({*previous, open, end});
+  }
+
+  bool takes_scripts(std::size_t at) const {
+    return ends_an_operand(at) || is_control_of(tokens_[at], {"sum", "int", "prod", "oint"});
+  }
+
+  /// A letter, a digit, a closing bracket or a group that is no argument still to be read: of `\overset{a}`
+  /// the next group is one.
+  bool ends_an_operand(std::size_t at) const {
+    const Token& token = tokens_[at];
+    if (token.kind == TokenKind::letter || token.kind == TokenKind::digit || is_sign_of(token, ")]'"))
+      return !is_argument(at);
+    if (token.kind == TokenKind::control) return !letter_of(token).empty() && !is_argument(at);
+    if (token.kind != TokenKind::end_group || !opening_[at]) return false;
+    const auto taker = before(tokens_, *opening_[at]);
+    if (!taker) return true;
+    const Token& control = tokens_[*taker];
+    if (control.kind == TokenKind::end_group) {
+      const auto first = opening_[*taker] ? before(tokens_, *opening_[*taker]) : std::nullopt;
+      return first && is_fraction(tokens_[*first]);
+    }
+    if (control.kind != TokenKind::control) return true;
+    return style_of(control).has_value() || dots_of(control) > 0 || control.text == "sqrt" ||
+           !letter_of(control).empty();
+  }
+
+  /// `a` of `\frac a`, of which the next group is the second argument.
+  bool is_argument(std::size_t at) const {
+    const auto taker = before(tokens_, at);
+    return taker && tokens_[*taker].kind == TokenKind::control && is_fraction(tokens_[*taker]);
+  }
+
+  void blank(std::initializer_list<std::size_t> places) {
+    for (const std::size_t at : places) {
+      Token& token = tokens_[at];
+      token = {TokenKind::space, " ", token.span, token.place};
+    }
+  }
+
+  Tokens& tokens_;
+  std::vector<std::optional<std::size_t>> opening_;  // of each closing brace
+};
+
+}  // namespace
+
+void lift_idle_braces(Tokens& tokens) { IdleBraces(tokens).lift(); }
+
 }  // namespace rigor

@@ -17,4 +17,8 @@ namespace rigor {
 /// Is there a sum of several terms in it? Of `\cos{\omega t + \alpha}` a reader sees cos ωt + α.
 [[nodiscard]] bool holds_unseen_sum(TokenView tokens, std::size_t at);
 
+/// Blanks take the place of braces that only set spaces or hold nothing, `a{+}b`, `\exp{}(x)`, `x_{}`, and of
+/// the sign of an empty script, so that no token moves. Cost: linear.
+void lift_idle_braces(Tokens& tokens);
+
 }  // namespace rigor

@@ -194,6 +194,7 @@ class RowReader {
     if (token.text == "left") lefts_.push_back({row_.cells.size(), cell().size(), is_sign(bracket, ".")});
     if (token.text == "right" && !lefts_.empty()) {
       const bool script = is_kind_at(tokens_, behind, TokenKind::subscript);
+      if (plain_bar && script && lefts_.back().invisible) bracket.text = "vert";  // it closes no bracket
       if (plain_bar && script) hold_together(lefts_.back(), bracket);
       lefts_.pop_back();
     }

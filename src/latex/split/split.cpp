@@ -98,6 +98,27 @@ std::size_t cells_per_equation(std::string_view environment, const std::vector<R
   return pairs ? 2 : 1000;
 }
 
+/// `a = b \qquad c = d`: where a wide space parts two statements; the end where none does.
+std::size_t second_statement(TokenView tokens) {
+  Nesting nesting(false);
+  bool related = false;
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    if (nesting.enter(tokens[at]) != 0) continue;
+    const auto kind = relation_kind(tokens[at]);
+    if (kind && kind != RelationKind::implies) related = true;
+    const bool parts = related && is_wide_space(tokens[at]);
+    if (parts && has_relation(tokens.subspan(at + 1))) return at;
+  }
+  return tokens.size();
+}
+
+/// `= b \qquad = d` below two statements goes on with both.
+bool continues_several(TokenView above, TokenView row) {
+  if (!starts_with_relation(row) || second_statement(above) == above.size()) return false;
+  const std::size_t wide = second_statement(row);
+  return wide < row.size() && starts_with_relation(row.subspan(wide));
+}
+
 /// Puts the rows of a display together: a row goes on with the statement above it, or begins the next.
 class RowJoiner {
  public:
@@ -166,6 +187,19 @@ class RowJoiner {
       }
     }
     Statement& current = open_[column];
+    if (continues_several(current.tokens, tokens)) {
+      current.condition = Obstacle{DiagnosticKind::ambiguous_reading,
+                                   "the next row goes on with several equations of this one",
+                                   {"columns of `align` say which of them goes on with which"}};
+      current.condition_span = span_of(tokens);
+    }
+    const bool one = second_statement(current.tokens) == current.tokens.size();
+    if (starts_with_relation(tokens) && one && !trim(current.tokens).empty() &&
+        is_sign(trim(current.tokens).back(), ",")) {  // `a &= b, \\ &= c`
+      const std::size_t last = last_sign(current.tokens);
+      uses_.mark(TokenView(current.tokens).subspan(last), TokenUse::layout);
+      current.tokens.resize(last);
+    }
     if (repeats_relation(current.tokens, tokens)) {
       const std::size_t last = last_sign(current.tokens);
       uses_.mark(TokenView(current.tokens).subspan(last), TokenUse::relation);

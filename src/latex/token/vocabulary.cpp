@@ -275,7 +275,7 @@ std::string_view unread_reason(std::string_view control) {
 bool is_subscript_word(std::string_view letters) {
   static const WordSet words(
       "rot trans tot cm com out ext int kin pot max min eff spin orb lab rel net avg rms body sys orbital "
-      "total ref grav elec mag new old crit init final stat");
+      "total ref grav elec mag new old crit init final stat ind rad inc loc vib osc vac obs src sat diss");
   if (letters.size() < 2) return false;
   const bool capitals = std::ranges::all_of(letters, [](char c) { return c >= 'A' && c <= 'Z'; });
   return capitals || words.contains(letters);

@@ -158,8 +158,17 @@ TEST_CASE("an operand that is missing is bad syntax at its sign") {
   CHECK(parsed("\\cdot a") == "(term <bad-syntax> ·a)");
   CHECK(parsed("a \\times\\cdot b") == "(term a ×<bad-syntax> ·b)");
   CHECK(parsed("^2") == "<unsupported>");  // `{}^2H`, or what a macro has left
-  CHECK(parsed("A_{}") == "<bad-syntax>");
   CHECK(parsed("") == "<bad-syntax>");
+}
+
+TEST_CASE("braces that hold nothing or only a sign are not there") {
+  CHECK(parsed("A_{}") == "A");
+  CHECK(parsed("A_{}B^{}") == parsed("AB"));
+  CHECK(parsed("a{+}b") == parsed("a+b"));
+  CHECK(parsed("a{\\cdot}b") == parsed("a\\cdot b"));
+  CHECK(parsed("\\frac{a}{b}{\\cdot}c") == parsed("\\frac{a}{b}\\cdot c"));
+  CHECK(parsed("\\sin{}(a)") == parsed("\\sin(a)"));
+  CHECK(parsed("\\frac{}{b}") != parsed("\\frac b"));
 }
 
 TEST_CASE("an empty group means nothing") {

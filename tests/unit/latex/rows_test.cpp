@@ -87,7 +87,7 @@ TEST_CASE("sizes before a bracket vanish, and a sized bar knows its side") {
   CHECK(rows("\\left| a \\right|") == "\\lvert a \\rvert");
   CHECK(rows("\\bigl\\| a \\bigr\\|") == "\\lVert a \\rVert");
   CHECK(rows("\\left. a \\right|") == "a \\rvert");
-  CHECK(rows("\\left. a \\right|_b") == "{ a }\\rvert_b");
+  CHECK(rows("\\left. a \\right|_b") == "{ a }\\vert_b");  // it closes no bracket around it
   CHECK(rows("\\big| a \\big|") == "| a |");
 }
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Has another case been named since something was said? "In incompressible flow" a law is stated; what a row
+// behind "let the flow be compressible" concludes does not follow from it, with or without a blank line.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "check/prose/prose.h"
+
+namespace rigor {
+
+/// The case for which something is said, by the words of its sentence, of the sentences before it in its
+/// paragraph, and of its heading.
+struct CaseSaid {
+  std::vector<std::string> words = {};
+  std::size_t sentence = 0;  // its number
+  std::string heading = {};
+};
+
+[[nodiscard]] CaseSaid case_said_at(const Prose& prose, std::size_t event, const std::string& heading);
+/// The same of something in a line.
+[[nodiscard]] CaseSaid case_said_in(const Prose& prose, std::size_t sentence, const std::string& heading);
+
+/// What is named between these and a row.
+class CasesNamed {
+ public:
+  /// Up to the display at `event`, in its section and those around it. Cost: linear in the sentences.
+  CasesNamed(const Prose& prose, std::size_t event, const std::string& heading);
+  /// Was another case named since, and not the same one again? `defines`: see `is_kind_shut_out_by()`.
+  [[nodiscard]] bool names_another_since(const CaseSaid& said, bool defines = false) const;
+
+ private:
+  struct Named {
+    std::string word;
+    std::size_t sentence;  // its number; of the last clause of the row's own, one more
+  };
+  std::vector<Named> named_;
+  std::vector<std::string> in_heading_;
+  std::string heading_;
+};
+
+}  // namespace rigor

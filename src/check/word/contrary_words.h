@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "Incompressible" and "compressible", "monatomic" and "diatomic": a law that is stated for the one says
+// nothing of the other. What is stated of the general case does: the law of damped motion holds for undamped
+// motion, too. The lists are closed.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// The words of a text in small letters that may have a contrary, each once.
+[[nodiscard]] std::vector<std::string> case_words_of(std::string_view text);
+/// Does what is said with the first word say nothing where the second one is said? "Undamped" and "damped"
+/// too.
+[[nodiscard]] bool is_shut_out_by(std::string_view said, std::string_view here);
+/// The same of definitions. The frequency of the undamped oscillator is a letter of the damped one's law, so
+/// that words with "un-" shut out nothing.
+[[nodiscard]] bool is_kind_shut_out_by(std::string_view said, std::string_view here);
+
+}  // namespace rigor
