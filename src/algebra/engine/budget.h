@@ -20,7 +20,7 @@ inline constexpr std::uint64_t factored_term = 5000;    // of what is taken apar
 inline constexpr std::uint64_t summed_term = 40;        // over particles, `moments.h`
 inline constexpr std::uint64_t looked_at_term = 4;      // along a line, `line_image.h`
 inline constexpr std::uint64_t row_of_multiples = 100;  // an equation times a monomial, `membership.h`
-inline constexpr std::uint64_t derived_node = 6;        // of the derivative of a definition or a law
+inline constexpr std::uint64_t derived_node = 2;        // of the derivative of a definition or a law
 }  // namespace price
 
 /// One counter for all that is asked about a step: its proofs, samples, and the assumptions' samples. Once it
