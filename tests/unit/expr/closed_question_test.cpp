@@ -58,7 +58,8 @@ TEST_CASE("whatever the exact side sees changes a closed question") {
   };
   const SymbolId a{0};
   CHECK(plain != changed([&](ExprTree& tree, Question&) { tree.symbols.write(a).unit = true; }));
-  CHECK(plain != changed([&](ExprTree& tree, Question&) { tree.symbols.write(a).unit_of_measure.emplace(); }));
+  CHECK(plain !=
+        changed([&](ExprTree& tree, Question&) { tree.symbols.write(a).unit_of_measure.emplace(); }));
   CHECK(plain != changed([&](ExprTree& tree, Question&) { tree.symbols.write(a).declared = true; }));
   CHECK(plain != changed([&](ExprTree&, Question& question) { question.zeroed = {a}; }));
   CHECK(plain != changed([&](ExprTree&, Question& question) { question.claim.relation = Relation::less; }));
