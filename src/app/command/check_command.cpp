@@ -11,7 +11,6 @@
 #include "algebra/engine/budget.h"
 #include "app/host/notes_to_check.h"
 #include "app/host/outputs.h"
-#include "app/host/processes.h"
 #include "app/host/program_identity.h"
 #include "app/host/progress.h"
 #include "app/host/screen.h"
@@ -26,6 +25,7 @@
 #include "report/data/sarif.h"
 #include "report/page/marks.h"
 #include "report/text/terminal.h"
+#include "source/processes.h"
 #include "source/read_file.h"
 #include "source/render.h"
 #include "source/write_file.h"
@@ -39,7 +39,7 @@ using SteadyClock = std::chrono::steady_clock;
 struct CheckRun {
   const CheckCommand& command;
   NotesToCheck notes;
-  std::size_t jobs = 1;
+  std::size_t jobs = 1;  // processes at once; 0: one for each processor
   std::uint64_t effort = default_effort;
 };
 
@@ -58,7 +58,7 @@ Repairs repairs_shown(ReportFormat format) {
 
 /// One file, with what is remembered of it.
 FileReport check_one(const CheckRun& run, const NotesToCheck::Item& notes, SourceMap& sources,
-                     const ReportProgress& progress) {
+                     std::size_t processes, const ReportProgress& progress) {
   const CheckCommand& command = run.command;
   std::optional<DecisionCache> cache;
   if (command.cache) cache.emplace(*command.cache, notes.path, program_identity());
@@ -66,7 +66,8 @@ FileReport check_one(const CheckRun& run, const NotesToCheck::Item& notes, Sourc
                              .progress = progress,
                              .repairs = repairs_shown(command.format),
                              .cache = cache ? &*cache : nullptr,
-                             .effort = run.effort};
+                             .effort = run.effort,
+                             .processes = cache ? 1 : processes};  // other processes would remember nothing
   FileReport report = notes.text ? check_text(sources, notes.path, *notes.text, options)
                                  : check_file(sources, notes.path, options);
   if (cache) {
@@ -76,14 +77,14 @@ FileReport check_one(const CheckRun& run, const NotesToCheck::Item& notes, Sourc
   return report;
 }
 
-std::vector<FileReport> check_in_processes(const CheckRun& run, std::size_t jobs, SourceMap& sources,
-                                           Progress& progress) {
+std::vector<FileReport> check_in_processes(const CheckRun& run, std::size_t jobs, std::size_t in_each,
+                                           SourceMap& sources, Progress& progress) {
   const auto& items = run.notes.items;
   const Pieces pieces{.count = items.size(),
                       .work =
                           [&](std::size_t piece, const ReportProgress& tell) {
                             SourceMap own;
-                            return pack(check_one(run, items[piece], own, tell), own);
+                            return pack(check_one(run, items[piece], own, in_each, tell), own);
                           },
                       .progress = [&](std::size_t piece, std::size_t done,
                                       std::size_t all) { progress.update(items[piece].path, done, all); }};
@@ -110,12 +111,13 @@ Report check_all(const CheckRun& run, SourceMap& sources, std::ostream& err) {
   Report report;
   const std::size_t asked = run.jobs == 0 ? processor_count() : run.jobs;
   const std::size_t jobs = std::min(asked, run.notes.items.size());
+  const std::size_t in_each = jobs == 0 ? asked : asked / jobs;
   if (jobs > 1) {
-    report.files = check_in_processes(run, jobs, sources, progress);
+    report.files = check_in_processes(run, jobs, in_each, sources, progress);
   } else {
     for (const NotesToCheck::Item& notes : run.notes.items) {
       const auto tell = [&](std::size_t done, std::size_t all) { progress.update(notes.path, done, all); };
-      report.files.push_back(check_one(run, notes, sources, tell));
+      report.files.push_back(check_one(run, notes, sources, in_each, tell));
     }
   }
   for (const FileReport& file : report.files)

@@ -156,7 +156,7 @@ void add_check(Grammar& grammar) {
            "Pass over what this report of `check --json` has, too");
   app.add_flag("--dimensions", check.dimensions, "Print the dimension that was found for each symbol");
   app.add_flag("--all-causes", check.all_causes, "List each cause why something is open");
-  add_path(app, "--jobs,-j", words->jobs, "N", "Check this many files at once; 0: one for each processor");
+  add_path(app, "--jobs,-j", words->jobs, "N", "Use this many processes at once; 0: one for each processor");
   add_path(app, "--effort", words->effort, "N",
            fmt::format("Give up on a step after this many units of work ({})", default_effort));
   add_path(app, "--cache", check.cache, "FOLDER",

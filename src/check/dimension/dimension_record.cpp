@@ -311,6 +311,7 @@ void DimensionRecorder::relate(const Relation& relation) {
       if (known != unknowns_.end()) used_[known->second] = true;
     }
   }
+  made.equations.shrink_to_fit();
   record_.statements.push_back(std::move(made));
 }
 

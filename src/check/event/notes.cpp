@@ -139,6 +139,10 @@ class CheckedNotesReader {
     }
     add_said_kinds();
     add_said_sizes();
+    for (SaidInLine& said : notes_.prose.said) {
+      for (const ParsedChain& chain : said.chains)
+        said.letters.push_back(letters_written_in(notes_.syntax, chain.sides));
+    }
   }
 
   std::optional<Tokens> maths_in_line(Span span) {

@@ -25,9 +25,12 @@ constexpr std::uint64_t most_work_of_states = 1'500'000;  // where derivatives h
 /// The row says again what a law says.
 std::optional<Judgement> restating(const RowUnderLaws& row, const Laws& bearing) {
   const std::set<SymbolId> own = written_letters(row.tree, row.claim.equation);
+  std::optional<Sample> fails;
   for (const PageLaw* law : bearing) {
     if (written_letters(row.tree, law->equation) != own) continue;
-    if (!restates(row.tree, row.claim.equation, law->equation, row.cache)) continue;
+    if (!fails) fails = where_it_fails(row.tree, row.claim.equation, row.cache);
+    if (!fails) return std::nullopt;
+    if (!restates(row.tree, row.claim.equation, *fails, law->equation, row.cache)) continue;
     Judgement judgement;
     judgement.verdict = Verdict::law;
     judgement.restates = true;

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <string_view>
 #include <utility>
 
+#include "algebra/decide/decide.h"
+#include "base/small_rational.h"
 #include "check/question/decision_cache.h"
 #include "check/verdict/rational_expression.h"
 #include "expr/calculus/differentiate.h"
@@ -25,20 +29,62 @@ ExprId product(ExprTree& tree, ExprId number, ExprId value) {
   return tree.add({.op = Op::multiply, .rank = node.rank, .span = node.span}, factors);
 }
 
+/// `-3/2`; not valid where it is no rational number that fits.
+SmallRational small_rational(const std::string& text) {
+  const auto whole = [](std::string_view digits) -> std::optional<std::int64_t> {
+    std::int64_t value = 0;
+    const char* const end = digits.data() + digits.size();
+    const auto read = std::from_chars(digits.data(), end, value);
+    return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
+  };
+  const std::string_view view = text;
+  const std::size_t slash = view.find('/');
+  const auto over = whole(view.substr(0, slash));
+  const auto under =
+      slash == std::string_view::npos ? std::optional<std::int64_t>(1) : whole(view.substr(slash + 1));
+  return over && under ? SmallRational(*over, *under) : SmallRational(1, 0);
+}
+
+/// Do the sides' numbers where the claim fails show that the law's are no multiples of its own? Most laws
+/// with the same letters end here, which saves them a proof.
+bool are_no_multiples(const Sample& claim, const SideValues& law) {
+  const SmallRational left = small_rational(claim.left);
+  const SmallRational right = small_rational(claim.right);
+  const SmallRational law_left = small_rational(law.left);
+  const SmallRational law_right = small_rational(law.right);
+  const SmallRational of_claim = left + right * SmallRational(-1);
+  const SmallRational of_law = law_left + law_right * SmallRational(-1);
+  if (!of_claim.is_valid() || !of_law.is_valid()) return false;  // who knows
+  if (of_law.is_zero()) return true;
+  const auto may_agree = [&](const SmallRational& own, const SmallRational& other) {
+    const SmallRational rest = own * of_law + other * of_claim * SmallRational(-1);
+    return !rest.is_valid() || rest.is_zero();
+  };
+  const SmallRational minus(-1);
+  return !may_agree(left, law_left) && !may_agree(right, law_right) && !may_agree(right, law_left * minus) &&
+         !may_agree(left, law_right * minus);
+}
+
+bool repeats_or_compares(const Equation& equation) {
+  return !equation.indices.empty() || !equation.particles.empty() || equation.relation != Relation::equal;
+}
+
 }  // namespace
 
-bool restates(ExprTree& tree, const Equation& claim, const Equation& law, DecisionCache* cache) {
-  const bool repeats =
-      !claim.indices.empty() || !claim.particles.empty() || !law.indices.empty() || !law.particles.empty();
-  if (repeats || claim.relation != Relation::equal || law.relation != Relation::equal) return false;
+std::optional<Sample> where_it_fails(const ExprTree& tree, const Equation& claim, DecisionCache* cache) {
+  if (repeats_or_compares(claim)) return std::nullopt;
+  Decision decision = decide(cache, {.tree = &tree, .claim = claim}, {.simplest_sample = false});
+  if (decision.outcome != Outcome::refuted) return std::nullopt;
+  return std::move(decision.sample);
+}
+
+bool restates(ExprTree& tree, const Equation& claim, const Sample& fails, const Equation& law,
+              DecisionCache* cache) {
+  if (repeats_or_compares(law)) return false;
   if (tree[claim.left].rank != tree[law.left].rank) return false;
-  Question question{.tree = &tree, .claim = claim};
-  const Decision decision = decide(cache, question, {.simplest_sample = false});
-  if (decision.outcome != Outcome::refuted) return false;
-  const Sample& sample = *decision.sample;
-  question.claim = law;
-  const auto sides = replay(question, sample);
-  if (!sides) return false;
+  Question question{.tree = &tree, .claim = law};
+  const auto sides = replay(question, fails);
+  if (!sides || are_no_multiples(fails, *sides)) return false;
   const Span span = tree[claim.left].span;
   const auto number = [&](const std::string& left, const std::string& right) -> std::optional<ExprId> {
     const auto first = add_rational(tree, span, left);
@@ -46,7 +92,7 @@ bool restates(ExprTree& tree, const Equation& claim, const Equation& law, Decisi
     return first && second ? std::optional(difference(tree, *first, *second)) : std::nullopt;
   };
   const auto of_law = number(sides->left, sides->right);
-  const auto of_claim = number(sample.left, sample.right);
+  const auto of_claim = number(fails.left, fails.right);
   if (!of_law || !of_claim) return false;
   const auto is_same = [&](ExprId own, ExprId other) {
     question.claim.left = product(tree, *of_law, own);

@@ -82,7 +82,7 @@ struct LedgerEntry {
 struct Ledger {
   ExprTree tree;
   std::vector<LedgerEntry> entries;
-  std::vector<std::shared_ptr<const Names>> behind_events;  // the scope after each event
+  std::vector<std::shared_ptr<const Names>> behind_events;  // the scope after each event, if that is wanted
   std::shared_ptr<const Names> end;                         // and where the notes end
   std::deque<ParsedChain> chains;           // those that are not of the notes: with fewer readings
   Directives used;                          // by what was read and decided

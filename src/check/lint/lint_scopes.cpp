@@ -2,6 +2,7 @@
 #include "check/lint/lint_scopes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/among.h"
 
@@ -14,53 +15,63 @@ bool is_statement(const Event& event) {
   return placed != nullptr && placed->directive.kind == DirectiveKind::claim;
 }
 
-/// The event after the section in which `from` stands.
-std::size_t end_of_section(const std::vector<Event>& events, std::size_t from) {
-  int level = 0;
-  for (std::size_t k = 0; k < from; ++k) {
-    if (const auto* heading = std::get_if<Heading>(&events[k])) level = heading->level;
-  }
-  std::size_t end = from;
-  for (; end < events.size(); ++end) {
-    const auto* heading = std::get_if<Heading>(&events[end]);
-    if (heading != nullptr && heading->level <= level) break;
-  }
-  return end;
-}
-
-std::size_t end_of_statement(const std::vector<Event>& events, std::size_t from) {
-  for (std::size_t k = from; k < events.size() && !std::holds_alternative<Heading>(events[k]); ++k) {
-    if (is_statement(events[k])) return k + 1;
-  }
-  return from;
-}
-
 }  // namespace
 
+/// One pass: what is open ends with the section or the statement that it is open for.
 LintScopes::LintScopes(const Notes& notes) {
+  int level = 0;
+  std::vector<std::pair<std::size_t, int>> to_section;  // scopes, with the level of their section: it grows
+  std::vector<std::size_t> to_statement;
   for (std::size_t k = 0; k < notes.events.size(); ++k) {
-    const auto* placed = std::get_if<PlacedDirective>(&notes.events[k]);
-    places_.push_back(
-        {placed != nullptr ? placed->directive.span : span_of(notes.events[k]), k, placed != nullptr});
-    if (placed == nullptr || placed->directive.warnings.empty()) continue;
-    scopes_.push_back(
-        {&placed->directive, k,
-         placed->directive.here ? end_of_statement(notes.events, k) : end_of_section(notes.events, k)});
+    const Event& event = notes.events[k];
+    const auto* placed = std::get_if<PlacedDirective>(&event);
+    places_.push_back({placed != nullptr ? placed->directive.span : span_of(event), k, placed != nullptr});
+    if (placed != nullptr && !placed->directive.warnings.empty()) {
+      const bool here = placed->directive.here;
+      if (here)
+        to_statement.push_back(scopes_.size());
+      else
+        to_section.emplace_back(scopes_.size(), level);
+      scopes_.push_back({&placed->directive, k, here ? k : notes.events.size()});
+    }
+    if (const auto* heading = std::get_if<Heading>(&event)) {
+      level = heading->level;
+      to_statement.clear();
+      for (; !to_section.empty() && level <= to_section.back().second; to_section.pop_back())
+        scopes_[to_section.back().first].end = k;
+    }
+    if (!is_statement(event)) continue;
+    for (const std::size_t scope : to_statement) scopes_[scope].end = k + 1;
+    to_statement.clear();
+  }
+  std::ranges::sort(places_, {}, &Place::key);
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    Place& place = places_[k];
+    const Place* before = k > 0 && places_[k - 1].span.file == place.span.file ? &places_[k - 1] : nullptr;
+    place.ground = place.is_line ? (before != nullptr ? before->ground : no_place) : k;
+    place.lines_end = before != nullptr ? before->lines_end : 0;
+    if (place.is_line) place.lines_end = std::max(place.lines_end, place.span.end);
   }
 }
 
-/// The last event that begins at or before the place, in the same file.
+/// The last event that begins at or before the place, in the same file. A directive's line reaches to its end
+/// only, and lines follow each other: hardly more than one is looked at.
 std::optional<std::size_t> LintScopes::event_at(Span place) const {
-  const Place* last = nullptr;
-  for (const Place& each : places_) {
-    if (each.span.file != place.file || each.span.begin > place.begin) continue;
-    const bool nearer = last == nullptr || each.span.begin >= last->span.begin;
-    if (nearer && (!each.is_line || place.begin < each.span.end)) last = &each;
+  const std::tuple key{place.file, place.begin, places_.size()};
+  for (auto at = static_cast<std::size_t>(std::ranges::upper_bound(places_, key, {}, &Place::key) -
+                                          places_.begin());
+       at-- > 0 && places_[at].span.file == place.file;) {
+    const Place& each = places_[at];
+    if (!each.is_line || place.begin < each.span.end) return each.event;
+    if (place.begin < each.lines_end) continue;
+    if (each.ground == no_place) return std::nullopt;
+    return places_[each.ground].event;
   }
-  return last == nullptr ? std::nullopt : std::optional(last->event);
+  return std::nullopt;
 }
 
 const Directive* LintScopes::said_of(DiagnosticKind kind, Span place) const {
+  if (scopes_.empty()) return nullptr;
   const auto event = event_at(place);
   if (!event) return nullptr;
   for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {

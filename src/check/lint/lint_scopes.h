@@ -3,8 +3,11 @@
 // or, with `here`, in the next statement.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <vector>
 
 #include "check/event/notes.h"
@@ -30,12 +33,19 @@ class LintScopes {
   };
   [[nodiscard]] std::optional<std::size_t> event_at(Span place) const;
 
+  static constexpr std::size_t no_place = static_cast<std::size_t>(-1);
   struct Place {
     Span span;
     std::size_t event;
-    bool is_line;  // of a directive: it ends with its line
+    bool is_line;                   // of a directive: it ends with its line
+    std::size_t ground = no_place;  // the last place up to here that is no line, in the same file
+    std::uint32_t lines_end = 0;    // of all lines up to here, in the same file
+
+    [[nodiscard]] std::tuple<FileId, std::uint32_t, std::size_t> key() const {
+      return {span.file, span.begin, event};
+    }
   };
-  std::vector<Place> places_;
+  std::vector<Place> places_;  // by their keys
   std::vector<Scope> scopes_;
 };
 

@@ -2,6 +2,7 @@
 // What a check is asked for, and what it may use.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -27,6 +28,7 @@ struct CheckOptions {
   RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again
   DecisionCache* cache = nullptr;     // answers of earlier runs; null: one that only counts the work is made
   std::uint64_t effort = default_effort;  // for each step, and again for what helps where it is wrong
+  std::size_t processes = 1;  // at once, for what is offered beside wrong steps; the answer is the same
 };
 
 }  // namespace rigor

@@ -2,8 +2,8 @@
 #include "check/prose/other_case.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include "base/among.h"
@@ -55,39 +55,60 @@ CaseSaid case_said_at(const Prose& prose, std::size_t event, const std::string& 
 }
 
 CasesNamed::CasesNamed(const Prose& prose, std::size_t event, const std::string& heading)
-    : in_heading_(case_words_of(lowered(heading))), heading_(heading) {
-  const ProseBeside& beside = prose.beside[event];
-  for (const ProseSentence& each : prose.sentences) {
-    if (each.number >= beside.sentence) break;
-    if (!prose.sections.reaches(each.place, beside.place)) continue;
-    for (std::string& word : case_words_of(each.text)) named_.push_back({std::move(word), each.number});
+    : different_(prose.case_words.different),
+      sentence_(prose.beside[event].sentence),
+      last_clause_(case_words_of(last_clause(prose.beside[event].lead))),
+      in_heading_(case_words_of(lowered(heading))),
+      heading_(heading) {
+  std::size_t place = prose.beside[event].place;
+  bool reaches = true;
+  for (const CaseWord& each : prose.case_words.said) {
+    if (each.sentence >= sentence_) break;
+    if (each.place != place) {
+      place = each.place;
+      reaches = prose.sections.reaches(place, prose.beside[event].place);
+    }
+    if (reaches) named_.push_back(each);
   }
-  for (std::string& word : case_words_of(last_clause(beside.lead)))
-    named_.push_back({std::move(word), beside.sentence + 1});
 }
 
+/// Many words are said, few differ, and words are dear to compare: each is compared once.
 bool CasesNamed::names_another_since(const CaseSaid& said, bool defines) const {
+  if (said.words.empty()) return false;
   const auto shuts_out = [&](const std::string& word, const std::string& here) {
     return defines ? is_kind_shut_out_by(word, here) : is_shut_out_by(word, here);
   };
-  const auto is_another = [&](const std::string& here) {
-    return !is_one_of(here, said.words) &&
-           std::ranges::any_of(said.words, [&](const std::string& word) { return shuts_out(word, here); });
+  enum class Stand : std::uint8_t { unknown, nothing, own, another };
+  const auto stand_of = [&](const std::string& here) {
+    if (is_one_of(here, said.words)) return Stand::own;
+    const bool another =
+        std::ranges::any_of(said.words, [&](const std::string& word) { return shuts_out(word, here); });
+    return another ? Stand::another : Stand::nothing;
   };
-  std::optional<std::string> other;
+  const std::string* other = nullptr;
   if (heading_ != said.heading) {
-    const auto found = std::ranges::find_if(in_heading_, is_another);
-    if (found != in_heading_.end()) other = *found;
+    const auto found = std::ranges::find(in_heading_, Stand::another, stand_of);
+    if (found != in_heading_.end()) other = &*found;
   }
-  for (const Named& each : named_) {
-    if (each.sentence <= said.sentence) continue;
-    if (is_another(each.word)) {
-      other = each.word;
-    } else if (other && is_one_of(each.word, said.words) && shuts_out(each.word, *other)) {
-      other.reset();  // back to the first one
+  const auto hear = [&](const std::string& word, Stand stand) {
+    if (stand == Stand::another) {
+      other = &word;
+    } else if (other != nullptr && stand == Stand::own && shuts_out(word, *other)) {
+      other = nullptr;  // back to the first one
     }
+  };
+  std::vector<Stand> stands(different_.size(), Stand::unknown);
+  for (auto at = std::ranges::upper_bound(named_, said.sentence, {}, &CaseWord::sentence); at != named_.end();
+       ++at) {
+    Stand& stand = stands[at->word];
+    if (stand == Stand::unknown) stand = stand_of(different_[at->word]);
+    hear(different_[at->word], stand);
   }
-  return other.has_value();
+  // The last clause before the row stands behind what its own sentence says.
+  if (sentence_ >= said.sentence) {
+    for (const std::string& word : last_clause_) hear(word, stand_of(word));
+  }
+  return other != nullptr;
 }
 
 }  // namespace rigor

@@ -26,17 +26,17 @@ struct CaseSaid {
 /// What is named between these and a row.
 class CasesNamed {
  public:
-  /// Up to the display at `event`, in its section and those around it. Cost: linear in the sentences.
+  /// Up to the display at `event`, in its section and those around it. What is said is not kept: `prose` must
+  /// outlive this. Cost: linear in the words of cases.
   CasesNamed(const Prose& prose, std::size_t event, const std::string& heading);
   /// Was another case named since, and not the same one again? `defines`: see `is_kind_shut_out_by()`.
   [[nodiscard]] bool names_another_since(const CaseSaid& said, bool defines = false) const;
 
  private:
-  struct Named {
-    std::string word;
-    std::size_t sentence;  // its number; of the last clause of the row's own, one more
-  };
-  std::vector<Named> named_;
+  const std::vector<std::string>& different_;  // words of all cases
+  std::size_t sentence_;                       // that leads to the row
+  std::vector<CaseWord> named_;                // in the sentences before it
+  std::vector<std::string> last_clause_;       // and in its own
   std::vector<std::string> in_heading_;
   std::string heading_;
 };

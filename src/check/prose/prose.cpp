@@ -8,6 +8,7 @@
 
 #include "base/among.h"
 #include "base/ascii.h"
+#include "check/word/contrary_words.h"
 #include "check/word/prose_behind.h"
 #include "check/word/prose_words.h"
 #include "check/word/words_behind.h"
@@ -414,8 +415,25 @@ class ProseReader {
 
 }  // namespace
 
+std::set<std::string> letters_written_in(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
+  std::set<std::string> letters;
+  for (const SyntaxId id : nodes_below(syntax, sides)) {
+    if (syntax[id].kind == SyntaxKind::symbol) letters.insert(syntax.symbol(id).letter);
+  }
+  return letters;
+}
+
 Prose read_prose(const SourceMap& sources, const std::vector<ProseEvent>& events) {
-  return ProseReader(sources).read(events);
+  Prose prose = ProseReader(sources).read(events);
+  std::map<std::string, std::size_t> numbers;
+  for (const ProseSentence& each : prose.sentences) {
+    for (const std::string& word : case_words_of(each.text)) {
+      const auto [number, is_new] = numbers.try_emplace(word, numbers.size());
+      if (is_new) prose.case_words.different.push_back(word);
+      prose.case_words.said.push_back({number->second, each.number, each.place});
+    }
+  }
+  return prose;
 }
 
 }  // namespace rigor

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,8 @@ struct SaidInLine {
   std::size_t maths = 0;                 // its number among the mathematics of its sentence
   bool alone = false;                    // no display is in its sentence, or it is in a heading
   std::vector<ParsedChain> chains = {};  // filled by who parses it
-  std::string words = {};                // that say it, where it is no relation: "acute angle `\varphi`"
+  std::vector<std::set<std::string>> letters = {};  // of each chain, as `letters_written_in` gives them
+  std::string words = {};  // that say it, where it is no relation: "acute angle `\varphi`"
 };
 
 /// "of mass $m$", "the Hermitian operator $\hat A$", in a line.
@@ -56,6 +58,19 @@ struct ProseSentence {
   std::vector<Span> maths = {};  // in its lines
 };
 
+/// A word of a sentence that may name a case (`case_words_of()`).
+struct CaseWord {
+  std::size_t word = 0;  // its number among those that differ
+  std::size_t sentence = 0;
+  std::size_t place = 0;
+};
+
+/// Few differ, however many are said.
+struct CaseWords {
+  std::vector<std::string> different;
+  std::vector<CaseWord> said;  // in the order of the sentences
+};
+
 /// Of one event. Mathematics in a line stands as `$` in the text, a display as `\n`.
 struct ProseBeside {
   std::string lead;                          // the words of its sentence before a display
@@ -75,6 +90,7 @@ struct Prose {
   std::vector<LetterInLine> sizes = {};         // filled by who parses them
   std::vector<LetterInLine> self_adjoint = {};  // the same
   std::vector<ProseSentence> sentences;
+  CaseWords case_words = {};
 };
 
 /// Where an event stands, and what it is to the prose.
@@ -83,6 +99,10 @@ struct ProseEvent {
   Span span;
   int level = 0;  // of a heading
 };
+
+/// The letters that are in these expressions themselves, not in subscripts.
+[[nodiscard]] std::set<std::string> letters_written_in(const SyntaxTree& syntax,
+                                                       const std::vector<SyntaxId>& sides);
 
 /// `events` in the order of the text. Cost: linear in the text.
 [[nodiscard]] Prose read_prose(const SourceMap& sources, const std::vector<ProseEvent>& events);

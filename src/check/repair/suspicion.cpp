@@ -283,7 +283,13 @@ class Suspecting {
 
   bool is_said_already(ExprTree& tree, const Names& names, const Equation& equation,
                        const std::vector<Laws>& sets) {
-    const auto said = [&](const Equation& known) { return restates(tree, equation, known, &cache_); };
+    std::optional<Sample> fails;
+    bool holds = false;  // or it cannot be compared
+    const auto said = [&](const Equation& known) {
+      if (!fails && !holds) fails = where_it_fails(tree, equation, &cache_);
+      holds = !fails;
+      return fails && restates(tree, equation, *fails, known, &cache_);
+    };
     const Laws laws = sets.empty() ? Laws{} : sets.back();
     if (std::ranges::any_of(laws, [&](const PageLaw* law) { return said(law->equation); })) return true;
     const std::set<SymbolId> letters = written_letters(tree, equation);

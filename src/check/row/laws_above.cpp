@@ -207,14 +207,14 @@ bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& r
   if (!said) return false;
   const bool in_reach = law.argument == here.argument || is_named_beside(place, stated);
   if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
-  if (reach.cases.names_another_since(stated.of_case) && !is_named_beside(place, stated)) return false;
   const bool reaches = sections.reaches(law.place, here.place);
   if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place) ||
                    is_stated_anew(stated, reach.stated_here)))
     return false;
   if (!reach.of_any_thing && is_of_another_thing(place, stated) && !is_named_beside(place, stated))
     return false;
-  return means_the_same(place, stated);
+  if (!means_the_same(place, stated)) return false;
+  return !reach.cases.names_another_since(stated.of_case) || is_named_beside(place, stated);
 }
 
 /// `z = \zeta(x, y)` where derivatives by place are written: a surface, and elsewhere z is another number.

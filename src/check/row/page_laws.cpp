@@ -28,6 +28,12 @@ void leave(RowPlace& place, const StepReading& row, const Claim& claim, Standing
   if (!claim.nearly) leave_to_rows_below(place, row.parsed, claim.equation, claim.relation, standing);
 }
 
+/// Each is there once: results follow from results, and would double what they hold with each that follows.
+void add_once(std::vector<std::string>& to, const std::vector<std::string>& more) {
+  std::ranges::copy_if(more, std::back_inserter(to),
+                       [&](const std::string& each) { return !is_one_of(each, to); });
+}
+
 /// A result holds where the laws do that it follows from.
 void leave_result(RowPlace& place, const StepReading& row, const Claim& claim,
                   const std::vector<std::string>& uses) {
@@ -37,9 +43,8 @@ void leave_result(RowPlace& place, const StepReading& row, const Claim& claim,
   StatedLaw& result = place.found.stated.back();
   for (const StatedLaw& ground : place.above.stated) {
     if (!is_one_of(ground.law.name, uses)) continue;
-    result.beginnings.insert(result.beginnings.end(), ground.beginnings.begin(), ground.beginnings.end());
-    result.of_case.words.insert(result.of_case.words.end(), ground.of_case.words.begin(),
-                                ground.of_case.words.end());
+    add_once(result.beginnings, ground.beginnings);
+    add_once(result.of_case.words, ground.of_case.words);
   }
 }
 

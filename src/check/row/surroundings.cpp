@@ -23,15 +23,6 @@ namespace {
 
 constexpr std::size_t most_laws = 12;  // the last ones are looked at
 
-/// The letters that are in these expressions themselves, not in subscripts.
-std::set<std::string> letters_in(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
-  std::set<std::string> letters;
-  for (const SyntaxId id : nodes_below(syntax, sides)) {
-    if (syntax[id].kind == SyntaxKind::symbol) letters.insert(syntax.symbol(id).letter);
-  }
-  return letters;
-}
-
 /// `a > 0`, `i \ne j`, `x \le y`: letters and numbers in order, and nothing else.
 bool orders_letters(const SyntaxTree& syntax, const ParsedChain& chain) {
   const auto is_plain = [&](SyntaxId id) {
@@ -44,10 +35,8 @@ bool orders_letters(const SyntaxTree& syntax, const ParsedChain& chain) {
                              [](const WrittenRelation& relation) { return is_order(relation.kind); });
 }
 
-bool share_a_letter(const SyntaxTree& syntax, const ParsedChain& one, const ParsedChain& other) {
-  const std::set<std::string> others = letters_in(syntax, other.sides);
-  return std::ranges::any_of(letters_in(syntax, one.sides),
-                             [&](const std::string& letter) { return others.contains(letter); });
+bool share_a_letter(const std::set<std::string>& one, const std::set<std::string>& other) {
+  return std::ranges::any_of(one, [&](const std::string& letter) { return other.contains(letter); });
 }
 
 /// Those that the definitions of a row's letters lead to: t of `x = a`, where `x = a\cos\omega t`.
@@ -90,21 +79,34 @@ bool is_vector_by_components(const ExprTree& tree, const Equation& equation) {
          tree[equation.right].op == Op::tuple;
 }
 
+/// How a line stands to a row.
+struct LineAtRow {
+  bool same_sentence = false;
+  bool stated_above = false;  // "We know that $ab = 0$." holds from there on
+  bool defines = false;       // it is above, in reach, and may bring in a letter
+
+  [[nodiscard]] bool counts() const { return same_sentence || stated_above || defines; }
+};
+
+LineAtRow line_at_row(const RowPlace& place, const SaidInLine& said) {
+  const ProseBeside& here = place.notes.prose.beside[place.event];
+  if (said.sentence == here.sentence) return {.same_sentence = true};
+  const bool above = said.before <= place.event && (said.alone || said.cue == Cue::definition);
+  if (!above || !place.notes.prose.sections.reaches(said.place, here.place)) return {};
+  return {.stated_above = said.alone && said.sentence < here.sentence,
+          .defines = said.cue == Cue::definition};
+}
+
 /// A relation in a line is a definition where it brings in a fresh letter, and a condition of its own
-/// sentence.
-void add_said(RowPlace& place, const SaidInLine& said, const ParsedChain& parsed, Standpoint& at) {
-  const bool same_sentence = said.sentence == at.beside().sentence;
-  const bool in_reach = place.notes.prose.sections.reaches(said.place, at.beside().place);
-  // "We know that $ab = 0$." holds from there on.
-  const bool stated_above =
-      said.alone && in_reach && said.before <= place.event && said.sentence < at.beside().sentence;
-  const CaseSaid of_case = case_said_in(place.notes.prose, said.sentence, place.section);
-  if (!same_sentence &&
-      CasesNamed(place.notes.prose, place.event, place.section).names_another_since(of_case))
-    return;
-  if (!same_sentence && !stated_above &&
-      !(said.cue == Cue::definition && in_reach && said.before <= place.event))
-    return;
+/// sentence. `cases`: that are named above the row.
+void add_said(RowPlace& place, const SaidInLine& said, const ParsedChain& parsed,
+              std::optional<CasesNamed>& cases, Standpoint& at) {
+  const auto [same_sentence, stated_above, defines] = line_at_row(place, said);
+  if (!same_sentence && !stated_above && !defines) return;
+  if (!same_sentence) {
+    if (!cases) cases.emplace(place.notes.prose, place.event, place.section);
+    if (cases->names_another_since(case_said_in(place.notes.prose, said.sentence, place.section))) return;
+  }
   for (const ParsedChain& chain : said.chains) {
     bool understood = !chain.written.relations.empty() && !chain.written.condition && !chain.written.doubt;
     std::vector<Fact> facts;
@@ -137,8 +139,9 @@ void add_said(RowPlace& place, const SaidInLine& said, const ParsedChain& parsed
       facts.push_back(std::move(fact));
     }
     at.facts.insert(at.facts.end(), facts.begin(), facts.end());
-    const bool shares = share_a_letter(place.notes.syntax, chain, parsed);
-    if (!understood && (same_sentence || stated_above) && shares && at.unread.empty())
+    if (understood || !(same_sentence || stated_above) || !at.unread.empty()) continue;
+    const SyntaxTree& syntax = place.notes.syntax;
+    if (share_a_letter(letters_written_in(syntax, chain.sides), letters_written_in(syntax, parsed.sides)))
       at.unread = written_at(place, said.span);
   }
 }
@@ -195,39 +198,36 @@ Standpoint standpoint(RowPlace& place, const ParsedChain& parsed) {
                 .facts = {},
                 .heading = lowered(place.section),
                 .unread = {}};
+  std::optional<CasesNamed> cases;
+  const std::set<std::string> written = letters_written_in(place.notes.syntax, parsed.sides);
   std::optional<std::set<std::string>> defined;
-  const auto bears = [&](const SaidInLine& said, const ParsedChain& chain) {
-    if (share_a_letter(place.notes.syntax, chain, parsed)) return true;
+  const auto bears = [&](const SaidInLine& said, const std::set<std::string>& letters) {
+    if (share_a_letter(letters, written)) return true;
     if (said.before > place.event || !place.notes.prose.sections.reaches(said.place, at.beside().place))
       return false;
     if (!defined) defined = letters_of_definitions(place, parsed);
-    return std::ranges::any_of(letters_in(place.notes.syntax, chain.sides),
-                               [&](const std::string& letter) { return defined->contains(letter); });
+    return share_a_letter(letters, *defined);
   };
   for (const SaidInLine& said : place.notes.prose.said) {
-    for (const ParsedChain& chain : said.chains) {
-      if (!chain.written.relations.empty() && bears(said, chain)) {
-        add_said(place, said, parsed, at);
-        break;
-      }
-      const bool reaches = said.cue == Cue::definition && said.before <= place.event;
-      if (reaches && !chain.written.relations.empty()) {
-        add_said(place, said, parsed, at);
-        break;
-      }
+    if (!line_at_row(place, said).counts()) continue;
+    const bool defines = said.cue == Cue::definition && said.before <= place.event;
+    for (std::size_t k = 0; k < said.chains.size(); ++k) {
+      if (said.chains[k].written.relations.empty() || !(defines || bears(said, said.letters[k]))) continue;
+      add_said(place, said, parsed, cases, at);
+      break;
     }
   }
   for (const ParsedChain* chain : conditions_beside(place, parsed)) {
     SaidInLine said{.span = chain->written.span, .cue = Cue::condition, .sentence = at.beside().sentence};
     said.place = at.beside().place;
     said.chains.push_back(*chain);
-    add_said(place, said, parsed, at);
+    add_said(place, said, parsed, cases, at);
   }
   for (const ParsedChain* chain : definitions_behind(place, parsed)) {
     SaidInLine said{.span = chain->written.span, .cue = Cue::definition, .sentence = at.beside().sentence};
     said.place = at.beside().place;
     said.chains.push_back(*chain);
-    add_said(place, said, parsed, at);
+    add_said(place, said, parsed, cases, at);
   }
   if (at.unread.empty()) at.unread = unread_premise(place, parsed);
   for (const ParsedChain& chain : parsed.assumed) {
@@ -235,7 +235,7 @@ Standpoint standpoint(RowPlace& place, const ParsedChain& parsed) {
     said.words = text_of(chain.written);
     said.place = at.beside().place;
     said.chains.push_back(chain);
-    add_said(place, said, parsed, at);
+    add_said(place, said, parsed, cases, at);
   }
   const std::set<std::string> own = letters_of(text_of(parsed.written));
   for (const auto& [where, span] : place.above.unread_rows) {

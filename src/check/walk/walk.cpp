@@ -209,11 +209,24 @@ void follow(Walk& walk, const Heading& heading) {
   walk.section = heading.title;
 }
 
+/// Steps are large, and there may be many.
+std::size_t most_steps(const Notes& notes) {
+  std::size_t count = 0;
+  for (const Event& event : notes.events) {
+    const auto* display = std::get_if<ParsedDisplay>(&event);
+    if (display == nullptr) continue;
+    for (const ParsedChain& parsed : display->chains) count += parsed.written.relations.size();
+    if (display->unread) count += std::max<std::size_t>(display->tags.size(), 1);
+  }
+  return count;
+}
+
 Ledger to_the_end(Walk& walk) {
+  walk.report.steps.reserve(most_steps(walk.notes));
   for (std::size_t k = 0; k < walk.notes.events.size(); ++k) {
     walk.event = k;
     std::visit([&](const auto& event) { follow(walk, event); }, walk.notes.events[k]);
-    walk.ledger.behind_events.push_back(scope_here(walk));
+    if (walk.request.explains) walk.ledger.behind_events.push_back(scope_here(walk));
     if (walk.options.progress) walk.options.progress(k + 1, walk.notes.events.size());
   }
   end_section(walk);

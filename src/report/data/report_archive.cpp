@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/archive.h"
+#include "check/step/repair_fields.h"
 
 namespace rigor {
 namespace {
@@ -63,12 +64,6 @@ template <class Archive>
 void fields(Archive& archive, ChainPlace& place) {
   auto& [first_wrong, undoes, stays, first_step, undone_at] = place;
   archive(first_wrong, undoes, stays, first_step, undone_at);
-}
-
-template <class Archive>
-void fields(Archive& archive, Repair& repair) {
-  auto& [on_left, statement, change, replaced, replacement, adds_a_term, uses] = repair;
-  archive(on_left, statement, change, replaced, replacement, adds_a_term, uses);
 }
 
 template <class Archive>

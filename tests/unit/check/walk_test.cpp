@@ -355,3 +355,19 @@ TEST_CASE("a dot on a particle's length is read on the vector only where that pr
   CHECK(verdict_on_claim("\\dot r^2 = 2\\dot{\\mathbf{r}}\\cdot\\dot{\\mathbf{r}}", vector)
             .starts_with("refuted"));
 }
+
+TEST_CASE("what a check does not ask for is not kept for each display") {
+  std::string text;
+  for (int k = 0; k < 600; ++k) text += commuted;
+  SourceMap sources;
+  const FileId file = sources.add("notes.md", text);
+  FileReport report;
+  const Notes notes = read_notes(sources, file, nullptr, report.diagnostics);
+  DecisionCache counting;
+  CheckOptions options;
+  options.cache = &counting;
+  const Ledger ledger = walk_through(sources, notes, report, options, {});
+  CHECK(ledger.behind_events.empty());
+  CHECK(report.steps.size() == 600);
+  CHECK(report.steps.capacity() == 600);
+}

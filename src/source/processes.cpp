@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/host/processes.h"
+#include "source/processes.h"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -204,6 +204,17 @@ class PieceProcesses {
 
 std::vector<Result<std::string>> in_processes(const Pieces& pieces, std::size_t most_at_once) {
   return PieceProcesses(pieces, most_at_once == 0 ? 1 : most_at_once).run();
+}
+
+std::vector<std::string> in_processes_or_here(const Pieces& pieces, std::size_t most_at_once) {
+  std::vector<std::string> done(pieces.count);
+  std::vector<Result<std::string>> answers;
+  if (most_at_once > 1 && pieces.count > 1) answers = in_processes(pieces, most_at_once);
+  for (std::size_t piece = 0; piece < pieces.count; ++piece) {
+    const bool answered = piece < answers.size() && answers[piece];
+    done[piece] = answered ? std::move(*answers[piece]) : pieces.work(piece, {});
+  }
+  return done;
 }
 
 std::size_t processor_count() {

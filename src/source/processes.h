@@ -27,6 +27,10 @@ struct Pieces {
 /// piece and of no other. The processes end with this one, however it ends.
 [[nodiscard]] std::vector<Result<std::string>> in_processes(const Pieces& pieces, std::size_t most_at_once);
 
+/// The same, but nothing is lost with a process: what it did not answer is done here. `progress` may be
+/// empty, and what is given to `work` as well.
+[[nodiscard]] std::vector<std::string> in_processes_or_here(const Pieces& pieces, std::size_t most_at_once);
+
 /// How many of them this machine runs at once; at least 1.
 [[nodiscard]] std::size_t processor_count();
 

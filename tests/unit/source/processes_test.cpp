@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/host/processes.h"
+#include "source/processes.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -33,6 +33,19 @@ TEST_CASE("answers have the order of the pieces, however many are at work") {
       CHECK((found[piece].value() == std::string(piece * 100'000, 'x') + std::to_string(piece)));
   }
   CHECK(answers(0, 2, [](std::size_t) { return ""; }).empty());
+}
+
+TEST_CASE("what a process that is killed did not answer is done here") {
+  const pid_t here = ::getpid();
+  const Pieces pieces{5,
+                      [&](std::size_t piece, const ReportProgress&) {
+                        if (piece % 2 == 0 && ::getpid() != here) ::raise(SIGKILL);
+                        if (piece == 1 && ::getpid() != here) throw std::runtime_error("no memory");
+                        return std::to_string(piece);
+                      },
+                      {}};
+  for (const std::size_t most : {0, 1, 2, 8})
+    CHECK((in_processes_or_here(pieces, most) == std::vector<std::string>{"0", "1", "2", "3", "4"}));
 }
 
 TEST_CASE("a piece that crashes is an error of its own and no other's") {
