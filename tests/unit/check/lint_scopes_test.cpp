@@ -2,12 +2,10 @@
 // Where warnings are silenced and asked for, and what becomes of those that are.
 #include "check/lint/lint_scopes.h"
 
-#include <cstdlib>
 #include <utility>
 
 #include "catch.h"
 #include "check/checked.h"
-#include "growth.h"
 
 using namespace rigor;
 
@@ -66,25 +64,4 @@ TEST_CASE("`allow here` and `allow` of one place end apart, and lines of directi
   CHECK(lines(both + slip + slip + "# A\n" + slip) == "unused-directive | 3  5  8");
   CHECK(lines("# A\n## B\n" + rigor_says("allow bold-index") + slip + "### C\n" + slip + "## D\n" + slip) ==
         "10 | 4  7");
-}
-
-TEST_CASE("where warnings are silenced is found in time that grows with their number") {
-  const auto look_up = [](int count) {
-    Notes notes;
-    Directive allow;
-    allow.warnings = {DiagnosticKind::bold_index};
-    notes.events.emplace_back(PlacedDirective{allow, {}});
-    for (int k = 1; k <= count; ++k) {
-      const auto begin = static_cast<std::uint32_t>(10 * k);
-      ParsedDisplay display;
-      display.span = {0, begin, begin + 5};
-      notes.events.emplace_back(std::move(display));
-    }
-    const LintScopes scopes(notes);
-    for (int k = 1; k <= count; ++k) {
-      const auto begin = static_cast<std::uint32_t>(10 * k + 1);
-      if (scopes.said_of(DiagnosticKind::bold_index, {0, begin, begin + 1}) == nullptr) std::abort();
-    }
-  };
-  CHECK(growth_by_four(5'000, look_up) < linear_by_four);
 }

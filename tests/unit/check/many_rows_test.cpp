@@ -6,7 +6,6 @@
 #include <string>
 
 #include "check/entry/check.h"
-#include "growth.h"
 #include "peak_memory.h"
 
 namespace rigor {
@@ -41,18 +40,6 @@ TEST_CASE("results that follow from results hold each beginning once") {
                                   : "Hence\n\n$$m^2F_i = mka_i \\tag{2}$$");
   };
   CHECK(memory_for(40, row) < 20);  // 320 where each holds all that those before it hold, again and again
-}
-
-TEST_CASE("a row asks of a line of another section only where that section is") {
-  const auto check = [](int sections) {
-    std::string text = "<!-- rigor: let E = ab -->\n";
-    for (int k = 0; k < sections; ++k)
-      text += fmt::format("## S{}\n\nAn elastic body with $a > 0$ is isotropic.\n\n$$E = ba$$\n\n", k);
-    SourceMap sources;
-    CHECK(check_text(sources, "book.md", text).counts[static_cast<std::size_t>(Verdict::proved)] ==
-          static_cast<std::uint32_t>(sections));
-  };
-  CHECK(growth_by_four(250, check) < linear_by_four);  // 22 where the words between them are read first
 }
 
 }  // namespace
