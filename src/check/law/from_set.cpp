@@ -189,8 +189,8 @@ Prepared prepare(const RowUnderLaws& row, const Names& names, int slack = 0) {
 }
 
 /// Numbers of which nothing says whether they change: nothing on the page differentiates them.
-std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names& names) {
-  const Prepared prepared = prepare(row, names);
+std::vector<SymbolId> never_differentiated(const RowUnderLaws& row, const Names& names,
+                                           const Prepared& prepared) {
   std::vector<SymbolId> unknown = prepared.unknown_changes;
   const std::vector<SymbolId>& written = row.claim.reading->found.unknown_changes;
   unknown.insert(unknown.end(), written.begin(), written.end());
@@ -200,6 +200,13 @@ std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names
     return row.tree.symbols[symbol].rank > 0 || key == nullptr ||
            may_be_changing(*names.symbols.evidence, key->base);
   });
+  return unknown;
+}
+
+/// These, where they can be meant to be constant.
+std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names& names) {
+  const Prepared prepared = prepare(row, names);
+  const std::vector<SymbolId> unknown = never_differentiated(row, names, prepared);
   if (holds_what_it_has_not(row, names)) return {};
   // Who differentiates a whole term means it to change: g of `\nabla(f + g)`.
   const std::vector<SymbolId> constants = with_what_they_define(row, prepared, names, unknown);
@@ -223,6 +230,21 @@ std::set<SymbolId> letters_that_may_vanish(const RowUnderLaws& row) {
   return base_letters(row.tree, row.names.scope, own);
 }
 
+/// t of `a\cos\omega t`: that it is not 0 helps nobody to divide, and leaves no exact sample.
+std::set<SymbolId> letters_of_angles_alone(const ExprTree& tree, const Equation& law) {
+  std::set<SymbolId> inside;
+  std::set<SymbolId> outside;
+  const std::function<void(ExprId, std::set<SymbolId>&)> look = [&](ExprId id, std::set<SymbolId>& letters) {
+    if (tree[id].op == Op::symbol) letters.insert(base_of(tree.symbols, tree[id].symbol));
+    std::set<SymbolId>& below = tree[id].op == Op::function ? inside : letters;
+    for (const ExprId child : tree.children(id)) look(child, below);
+  };
+  look(law.left, outside);
+  look(law.right, outside);
+  std::erase_if(inside, [&](SymbolId each) { return outside.contains(each); });
+  return inside;
+}
+
 /// `m`, and `r` where it is the length of `\mathbf r`: what may stand below a line.
 std::vector<ExprId> divisors_of(ExprTree& tree, const NameScope& scope, const Equation& law,
                                 const std::set<SymbolId>& without) {
@@ -238,8 +260,9 @@ std::vector<ExprId> divisors_of(ExprTree& tree, const NameScope& scope, const Eq
     if (vector.op == Op::symbol && vector.slot_count == 0 && is_free(vector.symbol, 1))
       divisors.push_back(each);
   }
+  const std::set<SymbolId> of_angles = letters_of_angles_alone(tree, law);
   for (const SymbolId letter : base_letters(tree, scope, law)) {
-    if (is_free(letter, 0))
+    if (is_free(letter, 0) && !of_angles.contains(letter))
       divisors.push_back(tree.add({.op = Op::symbol, .span = tree[law.left].span, .symbol = letter}));
   }
   return divisors;
@@ -331,6 +354,10 @@ Names with_laws_and_constants(const RowUnderLaws& row, const Laws& laws) {
   Names assumed = with_laws(row.tree, row.names, laws);
   const std::vector<SymbolId> constants = constants_under(row, assumed, laws);
   return with_constants(std::move(assumed), constants);
+}
+
+Names with_constants_of_solution(const RowUnderLaws& row) {
+  return with_constants(row.names, never_differentiated(row, row.names, prepare(row, row.names)));
 }
 
 namespace {

@@ -177,7 +177,7 @@ class Independence {
 /// With the solution put in, does the law follow from these others? They are met by more than zeros.
 std::optional<Judgement> holds_when_put_in(const RowUnderLaws& put_in, const Names& names,
                                            const Laws& others) {
-  const Names assumed = with_laws(put_in.tree, with_laws_and_constants(put_in, {}), others);
+  const Names assumed = with_laws(put_in.tree, with_constants_of_solution(put_in), others);
   Judgement judgement = judge(put_in.tree, assumed, put_in.claim, {}, put_in.cache);
   if (judgement.verdict != Verdict::proved || !judgement.diagnostics.empty()) return std::nullopt;
   Laws used;
@@ -186,6 +186,31 @@ std::optional<Judgement> holds_when_put_in(const RowUnderLaws& put_in, const Nam
   const bool met = used.empty() || is_met_without_zeros(put_in.tree, with_laws(put_in.tree, names, used),
                                                         put_in.claim.equation, used, put_in.cache);
   return met ? std::optional(std::move(judgement)) : std::nullopt;
+}
+
+/// x_0 of `x(0) = x_0`, h and U of `u(h) = U`: what a function is somewhere does not change, nor does the
+/// place.
+std::vector<SymbolId> letters_of_values(const RowUnderLaws& row, const Laws& available) {
+  const auto is_value = [&](SymbolId each) { return row.names.symbols.function_values.contains(each); };
+  const auto is_plain = [&](SymbolId each) {
+    const Symbol& symbol = row.tree.symbols[each];
+    const NameKey* key = key_of(row.names.symbols, each);
+    return symbol.rank == 0 && !symbol.per_particle && !symbol.is_fixed() && key != nullptr &&
+           !row.names.symbols.evidence->applied.contains(key->base) && !symbol.derivation &&
+           definition_of(row.names.scope, each) == nullptr;
+  };
+  std::vector<SymbolId> letters;
+  for (const PageLaw* law : available) {
+    std::vector<SymbolId> written;
+    for (const ExprId side : {law->equation.left, law->equation.right})
+      std::ranges::copy(symbols_in(row.tree, side), std::back_inserter(written));
+    const bool of_values =
+        std::ranges::any_of(written, is_value) && std::ranges::all_of(written, [&](SymbolId each) {
+          return is_value(each) ? !is_value_anywhere(row, each) : is_plain(each);
+        });
+    if (of_values) std::ranges::remove_copy_if(written, std::back_inserter(letters), is_value);
+  }
+  return letters;
 }
 
 /// What follows when the row is put in.
@@ -239,7 +264,7 @@ bool has_its_own_values(const RowUnderLaws& row, SymbolId unknown, const std::ve
     Claim claim = row.claim;
     claim.equation.left = leaf(each.first);
     claim.equation.right = leaf(each.second);
-    const Names constant = with_laws_and_constants({row.tree, names, claim, row.cache}, {});
+    const Names constant = with_constants_of_solution({row.tree, names, claim, row.cache});
     const Judgement judgement = judge(row.tree, constant, claim, {}, row.cache);
     return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
   });
@@ -250,7 +275,7 @@ bool meets(const RowUnderLaws& row, const Names& put_in, const std::vector<Value
   return std::ranges::all_of(conditions, [&](const ValueCondition& condition) {
     Claim claim = row.claim;
     claim.equation = condition.law->equation;
-    const Names constant = with_laws_and_constants({row.tree, put_in, claim, row.cache}, {});
+    const Names constant = with_constants_of_solution({row.tree, put_in, claim, row.cache});
     const Judgement judgement = judge(row.tree, constant, claim, {}, row.cache);
     return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
   });
@@ -308,20 +333,22 @@ std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing, co
   const std::vector<SymbolId> constants = free_constants(row, solved->law->equation, conditions);
   const bool is_general = static_cast<int>(constants.size()) >= of.order;
   if (is_general) conditions.clear();  // they say what the constants are
+  std::vector<SymbolId> known = letters_of_values(row, available);
+  known.insert(known.end(), constants.begin(), constants.end());
   const Span begin = conditions.empty() ? solved->law->span : conditions.front().law->span;
   if (is_solved_since(row.tree, bearing, of.unknown, begin)) return std::nullopt;
   if (!is_general && (!constants.empty() || !leave_one_solution(row.tree, row.names, of, conditions)))
     return std::nullopt;
-  const Names names = with_row_put_in(row, of.unknown, constants);
+  const Names names = with_row_put_in(row, of.unknown, known);
   Claim claim = row.claim;
   claim.equation = solved->law->equation;
   const RowUnderLaws put_in{row.tree, names, claim, row.cache};
   auto found = holds_when_put_in(put_in, row.names, {});
   if (!found && !solved->others.empty()) found = holds_when_put_in(put_in, row.names, solved->others);
   if (!found) return std::nullopt;
-  const Names constant = with_laws_and_constants(put_in, {});
+  const Names constant = with_constants_of_solution(put_in);
   if (is_general && !Independence(row, constant, of).holds(constants)) return std::nullopt;
-  if (!meets(row, names, conditions) || !has_its_own_values(row, of.unknown, constants)) return std::nullopt;
+  if (!meets(row, names, conditions) || !has_its_own_values(row, of.unknown, known)) return std::nullopt;
   std::erase(found->uses, solution);
   for (const ValueCondition& each : conditions) found->uses.insert(found->uses.begin(), each.law->name);
   found->uses.insert(found->uses.begin(), solved->law->name);

@@ -32,6 +32,7 @@ struct StatedLaw {
   CaseSaid of_case = {};                     // "In incompressible flow"
   std::optional<SymbolId> letter = {};       // F of `F = -kx`: what it says that the letter is
   std::vector<std::pair<SymbolId, ExprId>> meanings = {};  // of its letters that are defined
+  bool poses = false;  // a line says it of a function: "We solve $y'' = y$ with $y(0) = 1$"
 };
 
 /// `c \approx 343\,\mathrm{m/s}` of a display: what its letter is worth, and no law.

@@ -239,7 +239,8 @@ class Preparation {
     const auto body = opened(of->definition.body);
     if (!body) return std::nullopt;
     for (const SymbolId each : symbols_in(tree_, *body)) {
-      if (!at.contains(each) && (may_run(each) || tree_.symbols[each].integral)) return std::nullopt;
+      const bool runs = may_run(each) && !is_declared_constant(names_.scope, each);
+      if (!at.contains(each) && (runs || tree_.symbols[each].integral)) return std::nullopt;
     }
     FoundDefinition result = *of;
     result.definition.symbol = symbol;

@@ -116,19 +116,16 @@ bool sets_letters_equal(const ExprTree& tree, const Equation& equation) {
   return bare && !names_a_rate(tree, equation);
 }
 
-/// `H\psi = E\psi`: who does not cancel the common factor does not mean a product of numbers.
-bool keeps_a_common_factor(const ExprTree& tree, const Equation& equation) {
-  const auto factors_of = [&](ExprId side) {
-    std::vector<SymbolId> factors;
-    if (tree[side].op != Op::multiply) return factors;
-    for (const ExprId factor : tree.children(side)) {
-      if (tree[factor].op == Op::symbol) factors.push_back(tree[factor].symbol);
-    }
-    return factors;
+/// `H\psi = E\psi`: who does not cancel the factor that ends both sides does not mean a product of numbers,
+/// but an operator. `mg = ma` is one.
+bool keeps_a_common_ending(const ExprTree& tree, const Equation& equation) {
+  const auto ending = [&](ExprId side) -> std::optional<SymbolId> {
+    if (tree[side].op != Op::multiply) return std::nullopt;
+    const ExprNode& last = tree[tree.children(side).back()];
+    return last.op == Op::symbol ? std::optional(last.symbol) : std::nullopt;
   };
-  const std::vector<SymbolId> right = factors_of(equation.right);
-  return std::ranges::any_of(factors_of(equation.left),
-                             [&](SymbolId each) { return is_one_of(each, right); });
+  const auto left = ending(equation.left);
+  return left && left == ending(equation.right);
 }
 
 /// The letter that a law says alone on its left side what it is: F of `F = -kx`.
@@ -308,7 +305,7 @@ bool is_an_example(const RowPlace& place) {
 void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
                          Standing standing) {
   if (equation.relation != Relation::equal || is_alternative(place, parsed) ||
-      names_coordinates(place.tree, equation) || keeps_a_common_factor(place.tree, equation) ||
+      names_coordinates(place.tree, equation) || keeps_a_common_ending(place.tree, equation) ||
       names_a_surface(place, equation) || is_of_an_unknown_case(place, equation) ||
       (parsed.written.doubt && !parsed.written.only_said_for))
     return;
@@ -391,14 +388,45 @@ bool is_said_for_good(RowPlace& place, const SaidInLine& said, SymbolId letter) 
          said_once(place, letter, said);
 }
 
+namespace {
+
+/// May it speak of a function, by a rate or a value? So few lines do that the others need not be read.
+bool may_speak_of_a_function(const SyntaxTree& syntax, const ParsedChain& chain) {
+  return std::ranges::any_of(nodes_below(syntax, chain.sides), [&](SyntaxId id) {
+    if (syntax[id].kind == SyntaxKind::derivative) return true;
+    if (syntax[id].kind == SyntaxKind::symbol)
+      return syntax.symbol(id).dots > 0 || syntax.symbol(id).primes > 0;
+    return syntax[id].kind == SyntaxKind::term && syntax.children(id).size() > 1 &&
+           syntax[syntax.children(id)[1].id].kind == SyntaxKind::group;
+  });
+}
+
+/// `y'' - y' - 6y = 0`; not `\dot\theta = 0`, which may hold for a moment, nor `v = \dot x`.
+bool is_differential_equation(const ExprTree& tree, const Equation& equation) {
+  const auto is_rate = [&](SymbolId each) {
+    const auto& derivation = tree.symbols[each].derivation;
+    return derivation && tree.symbols[each].rank == 0 &&
+           std::ranges::all_of(derivation->by,
+                               [](const Variable& by) { return by != By::small && !by.held; });
+  };
+  const std::vector<SymbolId> left = symbols_in(tree, equation.left);
+  const std::vector<SymbolId> right = symbols_in(tree, equation.right);
+  return !sets_letters_equal(tree, equation) && !names_a_rate(tree, equation) &&
+         (std::ranges::any_of(left, is_rate) || std::ranges::any_of(right, is_rate));
+}
+
+}  // namespace
+
 void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
-  if (said.at_place || said.cue != Cue::definition) return;
+  if (said.cue == Cue::apart) return;
   const std::vector<ProseSentence>& sentences = place.notes.prose.sentences;
   const auto sentence = std::ranges::find(sentences, said.sentence, &ProseSentence::number);
   if (sentence == sentences.end() || sentence->asks) return;
+  const bool may_name = said.cue == Cue::definition && !said.at_place;
   for (const ParsedChain& chain : said.chains) {
     if (chain.sides.size() != 2 || chain.written.relations[0].kind != RelationKind::equal ||
-        chain.written.condition || chain.written.doubt)
+        chain.written.condition || chain.written.doubt ||
+        !(may_name || may_speak_of_a_function(place.notes.syntax, chain)))
       continue;
     const auto reading = read_here(place, chain);
     if (!reading->sides[0].typed || !reading->sides[1].typed || guess_of(reading->reading())) continue;
@@ -409,12 +437,15 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
     const bool for_now = sets_letters_equal(place.tree, equation) || is_measured(place.tree, equation.right);
     const auto letter = letter_of_law(place.tree, equation);
     // "With $N = a^\dagger a$" says what a new letter is; of a known one it may say a case.
-    const bool brings_in = letter && sentence->has_display && is_said_for_good(place, said, *letter) &&
-                           !seen_in_equation(place.names.scope, *letter) &&
-                           definition_of(place.names.scope, *letter) == nullptr;
-    if (for_now || !letter || (!said.named && !brings_in) || names_coordinates(place.tree, equation) ||
-        keeps_a_common_factor(place.tree, equation) || names_a_surface(place, equation))
-      continue;
+    const bool brings_in =
+        may_name && letter && sentence->has_display && is_said_for_good(place, said, *letter) &&
+        !seen_in_equation(place.names.scope, *letter) && definition_of(place.names.scope, *letter) == nullptr;
+    const bool names = may_name && !for_now && letter && (said.named || brings_in) &&
+                       !names_coordinates(place.tree, equation) &&
+                       !keeps_a_common_ending(place.tree, equation) && !names_a_surface(place, equation);
+    const bool poses = is_about_values(place, equation) ||
+                       (!said.at_place && is_differential_equation(place.tree, equation));
+    if (!names && !poses) continue;
     const std::string words = lowered(sentence->text);
     PageLaw law{.equation = equation,
                 .name = fmt::format("{} (line {})", written_at(place, said.span),
@@ -422,13 +453,14 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
                 .span = said.span,
                 .place = said.place,
                 .argument = sentence->argument,
-                .of_a_case = word_that_demands(words) || word_of_a_special_case(words),
+                .of_a_case = !names || word_that_demands(words) || word_of_a_special_case(words),
                 .names_a_letter = brings_in};
     place.found.stated.push_back({.law = std::move(law),
                                   .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
                                   .of_case = case_said_in(place.notes.prose, said.sentence, place.section),
                                   .letter = letter_of_law(place.tree, equation),
-                                  .meanings = meanings_of(place, equation)});
+                                  .meanings = meanings_of(place, equation),
+                                  .poses = poses});
   }
 }
 

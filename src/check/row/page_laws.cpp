@@ -43,6 +43,7 @@ void leave_result(RowPlace& place, const StepReading& row, const Claim& claim,
   StatedLaw& result = place.found.stated.back();
   for (const StatedLaw& ground : place.above.stated) {
     if (!is_one_of(ground.law.name, uses)) continue;
+    result.law.of_a_case = result.law.of_a_case || ground.law.of_a_case;
     add_once(result.beginnings, ground.beginnings);
     add_once(result.of_case.words, ground.of_case.words);
   }
@@ -161,7 +162,8 @@ std::vector<PageLaw> self_adjoint_letters(RowPlace& place, const Claim& claim, c
 }
 
 /// "With $b = d$ we get", "for $\theta_1 + \theta_2 = \pi/2$": what its own sentence says goes with the laws.
-std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& row) {
+/// `above`: among which it may be already.
+std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& row, const Laws& above) {
   const ProseBeside& here = beside(place);
   std::set<std::uint32_t> own;  // where its relations begin
   for (const SaidInLine& said : place.notes.prose.said) {
@@ -171,7 +173,9 @@ std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& ro
   if (own.empty()) return laws;
   for (const Fact& fact : standpoint(place, row.parsed).facts) {
     const bool is_own = own.contains(fact.span.begin) && !fact.elsewhere;
-    if (!fact.proves || !is_own || fact.equation.relation != Relation::equal) continue;
+    const bool known =
+        std::ranges::any_of(above, [&](const PageLaw* law) { return law->span.begin == fact.span.begin; });
+    if (!fact.proves || !is_own || known || fact.equation.relation != Relation::equal) continue;
     laws.push_back({.equation = fact.equation,
                     .name = fact.text,
                     .span = fact.span,
@@ -196,7 +200,7 @@ Grounds grounds_of(RowPlace& place, const StepReading& row, const Claim& claim) 
   const Laws above = available_to(place, row.parsed);
   std::vector<PageLaw> own = self_adjoint_letters(place, claim, above);
   const std::size_t conventions = own.size();
-  std::ranges::move(said_in_its_sentence(place, row), std::back_inserter(own));
+  std::ranges::move(said_in_its_sentence(place, row, above), std::back_inserter(own));
   Grounds grounds{.own = std::make_shared<const std::vector<PageLaw>>(std::move(own))};
   for (std::size_t k = conventions; k < grounds.own->size(); ++k)
     grounds.of_its_sentence.push_back(&(*grounds.own)[k]);

@@ -90,7 +90,8 @@ std::string unread_premise(RowPlace& place, const ParsedChain& parsed);
 void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
                          Standing standing);
 /// The same of a relation in a line of prose that names a quantity, "The combination $E = …$ does not
-/// change", or says what a new letter is, "With $N = a^\dagger a$ this becomes".
+/// change", or says what a new letter is, "With $N = a^\dagger a$ this becomes". In its paragraph a problem
+/// holds: "We solve $y'' = -y$ with $y(0) = 1$".
 void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 /// "With $N = a^\dagger a$ this becomes"; not "For a sphere, let $V = …$", and not where another line says
 /// something else of the letter.

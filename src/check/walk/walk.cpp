@@ -73,6 +73,16 @@ void settle_lines(const ParsedDisplay& display, std::span<Step> steps) {
   }
 }
 
+/// No row below defines the unknown of a problem, and no letter of it is a free constant of its solution.
+void mark_seen(Walk& walk, const Equation& equation) {
+  for (const ExprId side : {equation.left, equation.right}) {
+    for (const SymbolId symbol : symbols_in(walk.tree, side)) {
+      mark_seen(walk.names.scope, symbol);
+      mark_seen(walk.names.scope, base_of(walk.tree.symbols, symbol));
+    }
+  }
+}
+
 /// What the lines before this display say is there for its rows, and those below.
 void take_what_lines_say(Walk& walk) {
   if (!decides(walk)) return;
@@ -82,6 +92,9 @@ void take_what_lines_say(Walk& walk) {
     leave_what_a_line_says(place, said[walk.lines_taken]);
     if (place.found.stated.empty()) continue;
     walk.names.symbols = std::move(place.names.symbols);  // its letters are those of the rows below
+    for (const StatedLaw& stated : place.found.stated) {
+      if (stated.poses) mark_seen(walk, stated.law.equation);
+    }
     take_over(walk, std::move(place.found));
   }
 }

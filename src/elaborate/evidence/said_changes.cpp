@@ -36,9 +36,6 @@ constexpr auto verbs = std::to_array<std::string_view>({"varies",
                                                         "ejects",
                                                         "drifts",
                                                         "evolves",
-                                                        "falls with",
-                                                        "rises with",
-                                                        "drops with",
                                                         "melts",
                                                         "shortened",
                                                         "lengthened",
@@ -53,6 +50,12 @@ constexpr auto verbs = std::to_array<std::string_view>({"varies",
 /// depend on $x$, but $c$ does".
 constexpr auto verbs_of_letters = std::to_array<std::string_view>(
     {"rises", "falls", "drops", "changes", "decays", "does", "differs", "is different"});
+
+/// "The density falls with height": with what does it change? "A body falls with constant speed" moves.
+constexpr auto verbs_with = std::to_array<std::string_view>({"falls with", "rises with", "drops with"});
+constexpr auto manners = std::to_array<std::string_view>(
+    {"a", "an", "air", "no", "constant", "uniform", "drag", "friction", "resistance", "velocity", "speed",
+     "acceleration", "linear", "quadratic", "viscous", "initial", "terminal", "zero"});
 
 constexpr auto adjectives = std::to_array<std::string_view>(
     {"variable", "varying", "growing", "increasing", "decreasing", "modulated", "inhomogeneous",
@@ -153,15 +156,19 @@ void see_said_changes(std::string_view text, Evidence& evidence) {
       if (letter) evidence.said_to_change.insert(*letter);
     });
   }
-  for (const std::string_view verb : verbs) {
+  const auto says_a_change_at = [&](std::size_t at) {
+    const std::string_view before = text.substr(0, at);  // letters are capital or not
+    if (is_denied(before)) return;
+    if (const auto letter = subject(before)) {
+      evidence.said_to_change.insert(*letter);
+    } else {
+      evidence.speaks_of_change = true;
+    }
+  };
+  for (const std::string_view verb : verbs) for_each_place(small, verb, says_a_change_at);
+  for (const std::string_view verb : verbs_with) {
     for_each_place(small, verb, [&](std::size_t at) {
-      const std::string_view before = text.substr(0, at);  // letters are capital or not
-      if (is_denied(before)) return;
-      if (const auto letter = subject(before)) {
-        evidence.said_to_change.insert(*letter);
-      } else {
-        evidence.speaks_of_change = true;
-      }
+      if (!is_one_of(word_behind(small, at + verb.size()), manners)) says_a_change_at(at);
     });
   }
 }
