@@ -188,17 +188,19 @@ Prepared prepare(const RowUnderLaws& row, const Names& names, int slack = 0) {
   return prepared;
 }
 
-/// Numbers of which nothing says whether they change: nothing on the page differentiates them.
+/// Numbers of which nothing says whether they change with a variable: nothing on the page differentiates
+/// them.
 std::vector<SymbolId> never_differentiated(const RowUnderLaws& row, const Names& names,
-                                           const Prepared& prepared) {
+                                           const Prepared& prepared, std::optional<Variable> by = {}) {
   std::vector<SymbolId> unknown = prepared.unknown_changes;
   const std::vector<SymbolId>& written = row.claim.reading->found.unknown_changes;
   unknown.insert(unknown.end(), written.begin(), written.end());
   unknown = bases_of(row.tree, unknown);
   std::erase_if(unknown, [&](SymbolId symbol) {
     const NameKey* key = key_of(names.symbols, symbol);
+    const auto may_change = by == Variable(By::time) ? may_be_changing_in_time : may_be_changing;
     return row.tree.symbols[symbol].rank > 0 || key == nullptr ||
-           may_be_changing(*names.symbols.evidence, key->base);
+           may_change(*names.symbols.evidence, key->base);
   });
   return unknown;
 }
@@ -356,8 +358,8 @@ Names with_laws_and_constants(const RowUnderLaws& row, const Laws& laws) {
   return with_constants(std::move(assumed), constants);
 }
 
-Names with_constants_of_solution(const RowUnderLaws& row) {
-  return with_constants(row.names, never_differentiated(row, row.names, prepare(row, row.names)));
+Names with_constants_of_solution(const RowUnderLaws& row, Variable by) {
+  return with_constants(row.names, never_differentiated(row, row.names, prepare(row, row.names), by));
 }
 
 namespace {

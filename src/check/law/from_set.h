@@ -25,8 +25,9 @@ struct RowUnderLaws {
 /// The same, and what nothing on the page differentiates is taken as constant.
 [[nodiscard]] Names with_laws_and_constants(const RowUnderLaws& row, const Laws& laws);
 
-/// The same beside no laws, where a solution was put in: its terms may be constant, as that of `x_0 + vt` is.
-[[nodiscard]] Names with_constants_of_solution(const RowUnderLaws& row);
+/// The same beside no laws, where a solution was put in, a function of `by`: its terms may be constant, as
+/// x_0 of `x_0 + vt` is.
+[[nodiscard]] Names with_constants_of_solution(const RowUnderLaws& row, Variable by);
 
 /// "`m` is constant, since nothing differentiates it", as `uses` says it.
 [[nodiscard]] std::string convention_of_constant(const ExprTree& tree, SymbolId letter);

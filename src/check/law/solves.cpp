@@ -175,9 +175,9 @@ class Independence {
 };
 
 /// With the solution put in, does the law follow from these others? They are met by more than zeros.
-std::optional<Judgement> holds_when_put_in(const RowUnderLaws& put_in, const Names& names,
-                                           const Laws& others) {
-  const Names assumed = with_laws(put_in.tree, with_constants_of_solution(put_in), others);
+std::optional<Judgement> holds_when_put_in(const RowUnderLaws& put_in, const Names& names, const Laws& others,
+                                           Variable by) {
+  const Names assumed = with_laws(put_in.tree, with_constants_of_solution(put_in, by), others);
   Judgement judgement = judge(put_in.tree, assumed, put_in.claim, {}, put_in.cache);
   if (judgement.verdict != Verdict::proved || !judgement.diagnostics.empty()) return std::nullopt;
   Laws used;
@@ -238,8 +238,9 @@ std::optional<std::vector<SymbolId>> own_values(const RowUnderLaws& row, SymbolI
 
 /// `y = y(0)e^{kx}` is y(0) where x = 0, and `2y(0)e^{kx}` is not: what the unknown is somewhere is no free
 /// constant. Other letters stand for these values, which the solution is then asked for.
-bool has_its_own_values(const RowUnderLaws& row, SymbolId unknown, const std::vector<SymbolId>& constants) {
-  const auto values = own_values(row, unknown);
+bool has_its_own_values(const RowUnderLaws& row, const DifferentialEquation& equation,
+                        const std::vector<SymbolId>& constants) {
+  const auto values = own_values(row, equation.unknown);
   if (!values) return false;
   std::vector<std::pair<SymbolId, SymbolId>> letters;  // of the values, and what stands for them
   Names names = row.names;
@@ -259,23 +260,24 @@ bool has_its_own_values(const RowUnderLaws& row, SymbolId unknown, const std::ve
   };
   Claim put_in = row.claim;
   put_in.equation.right = replaced(row.tree, row.claim.equation.right, by);
-  names = with_row_put_in({row.tree, names, put_in, row.cache}, unknown, constants);
+  names = with_row_put_in({row.tree, names, put_in, row.cache}, equation.unknown, constants);
   return std::ranges::all_of(letters, [&](const auto& each) {
     Claim claim = row.claim;
     claim.equation.left = leaf(each.first);
     claim.equation.right = leaf(each.second);
-    const Names constant = with_constants_of_solution({row.tree, names, claim, row.cache});
+    const Names constant = with_constants_of_solution({row.tree, names, claim, row.cache}, equation.by);
     const Judgement judgement = judge(row.tree, constant, claim, {}, row.cache);
     return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
   });
 }
 
 /// Does the row meet all of them?
-bool meets(const RowUnderLaws& row, const Names& put_in, const std::vector<ValueCondition>& conditions) {
+bool meets(const RowUnderLaws& row, const Names& put_in, const std::vector<ValueCondition>& conditions,
+           Variable by) {
   return std::ranges::all_of(conditions, [&](const ValueCondition& condition) {
     Claim claim = row.claim;
     claim.equation = condition.law->equation;
-    const Names constant = with_constants_of_solution({row.tree, put_in, claim, row.cache});
+    const Names constant = with_constants_of_solution({row.tree, put_in, claim, row.cache}, by);
     const Judgement judgement = judge(row.tree, constant, claim, {}, row.cache);
     return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
   });
@@ -343,12 +345,12 @@ std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing, co
   Claim claim = row.claim;
   claim.equation = solved->law->equation;
   const RowUnderLaws put_in{row.tree, names, claim, row.cache};
-  auto found = holds_when_put_in(put_in, row.names, {});
-  if (!found && !solved->others.empty()) found = holds_when_put_in(put_in, row.names, solved->others);
+  auto found = holds_when_put_in(put_in, row.names, {}, of.by);
+  if (!found && !solved->others.empty()) found = holds_when_put_in(put_in, row.names, solved->others, of.by);
   if (!found) return std::nullopt;
-  const Names constant = with_constants_of_solution(put_in);
+  const Names constant = with_constants_of_solution(put_in, of.by);
   if (is_general && !Independence(row, constant, of).holds(constants)) return std::nullopt;
-  if (!meets(row, names, conditions) || !has_its_own_values(row, of.unknown, known)) return std::nullopt;
+  if (!meets(row, names, conditions, of.by) || !has_its_own_values(row, of, known)) return std::nullopt;
   std::erase(found->uses, solution);
   for (const ValueCondition& each : conditions) found->uses.insert(found->uses.begin(), each.law->name);
   found->uses.insert(found->uses.begin(), solved->law->name);

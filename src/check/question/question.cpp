@@ -238,8 +238,9 @@ class Preparation {
     }
     const auto body = opened(of->definition.body);
     if (!body) return std::nullopt;
+    const bool in_time = value.variables == std::vector<std::string>{"t"};
     for (const SymbolId each : symbols_in(tree_, *body)) {
-      const bool runs = may_run(each) && !is_declared_constant(names_.scope, each);
+      const bool runs = may_run(each, in_time) && !is_declared_constant(names_.scope, each);
       if (!at.contains(each) && (runs || tree_.symbols[each].integral)) return std::nullopt;
     }
     FoundDefinition result = *of;
@@ -386,11 +387,12 @@ class Preparation {
   }
 
   /// Can it change where the variable does? A quantity whose rate the page writes does.
-  bool may_run(SymbolId symbol) const {
+  bool may_run(SymbolId symbol, bool in_time = false) const {
     if (tree_.symbols[symbol].derivation) return true;
     if (names_.symbols.function_values.contains(symbol)) return false;
     const NameKey* key = key_of(names_.symbols, symbol);
-    return key != nullptr && may_be_changing(*names_.symbols.evidence, key->base);
+    const auto may_change = in_time ? may_be_changing_in_time : may_be_changing;
+    return key != nullptr && may_change(*names_.symbols.evidence, key->base);
   }
 
   /// The derivative of one order less.

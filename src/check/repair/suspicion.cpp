@@ -139,7 +139,7 @@ class Suspecting {
     const auto own = put_in(grown, names_, solved->of, solution.equation.right);
     if (!own) return {};
     solution.equation = *own;
-    const Names constant = with_constants_of_solution({grown, names_, solution, &cache_});
+    const Names constant = with_constants_of_solution({grown, names_, solution, &cache_}, solved->of.by);
     return true_neighbours(grown, constant, row_.wrong, proof, &cache_, asked);
   }
 

@@ -73,8 +73,12 @@ bool says_that_a_field_vanishes(const RowPlace& place, const Equation& equation)
   return key != nullptr && sightings.places && !has_rate(sightings, *key);
 }
 
-/// `x(0) = x_0`, `u(h) = U`: it speaks of a moment or a place, and holds at all times.
+/// `x(0) = x_0`, `u(h) = U`: it speaks of a moment or a place, and holds at all times. A letter alone beside
+/// such a value is another name of it, also N of `N_1(0) = N`.
 bool is_about_values(const RowPlace& place, const Equation& equation) {
+  const Evidence& evidence = *place.names.symbols.evidence;
+  const auto is_letter = [&](ExprId side) { return place.tree[side].op == Op::symbol; };
+  const bool names = is_letter(equation.left) && is_letter(equation.right);
   bool found = false;
   for (const ExprId side : {equation.left, equation.right}) {
     for (const SymbolId symbol : symbols_in(place.tree, side)) {
@@ -83,7 +87,11 @@ bool is_about_values(const RowPlace& place, const Equation& equation) {
         continue;
       }
       const NameKey* key = key_of(place.names.symbols, symbol);
-      if (key == nullptr || may_be_changing(*place.names.symbols.evidence, key->base)) return false;
+      if (key == nullptr) return false;
+      const bool changes =
+          names ? evidence.applied.contains(key->base) || has_rate(*place.names.symbols.sightings, *key)
+                : may_be_changing(evidence, key->base);
+      if (changes) return false;
     }
   }
   return found;

@@ -34,14 +34,21 @@ bool is_said_to_explain(const RowPlace& place, const ParsedChain& parsed) {
   return parsed.written.explains || explains_display_above(beside);
 }
 
-std::vector<const ParsedChain*> definitions_behind(const RowPlace& place, const ParsedChain& parsed) {
-  std::vector<const ParsedChain*> behind;
-  const auto take = [&](const ParsedDisplay& display, bool all) {
+std::vector<DefinitionBehind> definitions_behind(const RowPlace& place, const ParsedChain& parsed) {
+  std::vector<DefinitionBehind> behind;
+  const SyntaxTree& syntax = place.notes.syntax;
+  const auto is_name = [&](SyntaxId side) {
+    return syntax[side].kind == SyntaxKind::symbol ||
+           (syntax[side].kind == SyntaxKind::power &&
+            syntax[syntax.child(side, 0)].kind == SyntaxKind::symbol);
+  };
+  const auto take = [&](const ParsedDisplay& display, bool all, bool own) {
     for (const ParsedChain& chain : display.chains) {
       const bool later = chain.written.span.begin > parsed.written.span.begin;
       const bool names = !chain.written.relations.empty() && is_equality(chain.written.relations[0].kind) &&
-                         place.notes.syntax[chain.sides[0]].kind == SyntaxKind::symbol;
-      if (later && names && (all || chain.written.explains)) behind.push_back(&chain);
+                         is_name(chain.sides[0]);
+      const bool said = all || chain.written.explains;
+      if (later && names && (said || own)) behind.push_back({&chain, said});
     }
   };
   const std::vector<ProseBeside>& sentences = place.notes.prose.beside;
@@ -51,7 +58,7 @@ std::vector<const ParsedChain*> definitions_behind(const RowPlace& place, const 
     if (sentences[k].sentence != sentences[place.event].sentence) break;
     const bool explains = k > place.event && explains_display_above(sentences[k]);
     if (k > place.event && !explains) break;
-    take(*display, explains);
+    take(*display, explains, k == place.event);
   }
   return behind;
 }

@@ -169,6 +169,8 @@ std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& ro
   for (const SaidInLine& said : place.notes.prose.said) {
     if (said.sentence == here.sentence && !said.chains.empty()) own.insert(said.span.begin);
   }
+  for (const DefinitionBehind& each : definitions_behind(place, row.parsed))
+    own.insert(each.chain->written.span.begin);
   std::vector<PageLaw> laws;
   if (own.empty()) return laws;
   for (const Fact& fact : standpoint(place, row.parsed).facts) {

@@ -79,8 +79,13 @@ void heed_existence(RowPlace& place, const StepReading& row, const Claim& claim,
 
 /// "where" is before it: it says what its left side is, also after that was used.
 bool is_said_to_explain(const RowPlace& place, const ParsedChain& parsed);
-/// `H = T + V` after "where", on the line of the row or in the rest of its sentence.
-std::vector<const ParsedChain*> definitions_behind(const RowPlace& place, const ParsedChain& parsed);
+/// `H = T + V` behind a row.
+struct DefinitionBehind {
+  const ParsedChain* chain = nullptr;
+  bool said = false;  // "where" is before it; else it defines only what no row has had before
+};
+/// On the line of the row or, after "where", in the rest of its sentence.
+std::vector<DefinitionBehind> definitions_behind(const RowPlace& place, const ParsedChain& parsed);
 /// What the row is inferred from, where that cannot be taken for granted: it was not read.
 std::string unread_premise(RowPlace& place, const ParsedChain& parsed);
 

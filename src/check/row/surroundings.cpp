@@ -223,11 +223,18 @@ Standpoint standpoint(RowPlace& place, const ParsedChain& parsed) {
     said.chains.push_back(*chain);
     add_said(place, said, parsed, cases, at);
   }
-  for (const ParsedChain* chain : definitions_behind(place, parsed)) {
+  for (const auto& [chain, is_said] : definitions_behind(place, parsed)) {
     SaidInLine said{.span = chain->written.span, .cue = Cue::definition, .sentence = at.beside().sentence};
     said.place = at.beside().place;
     said.chains.push_back(*chain);
+    const std::size_t before = at.facts.size();
+    const std::string unread = at.unread;
     add_said(place, said, parsed, cases, at);
+    if (is_said) continue;
+    const auto added = at.facts.begin() + static_cast<std::ptrdiff_t>(before);
+    at.facts.erase(std::remove_if(added, at.facts.end(), [](const Fact& fact) { return fact.at_instant; }),
+                   at.facts.end());
+    at.unread = unread;  // it is a row of its own
   }
   if (at.unread.empty()) at.unread = unread_premise(place, parsed);
   for (const ParsedChain& chain : parsed.assumed) {

@@ -356,9 +356,24 @@ constexpr std::array<std::string_view, 34> announcing{
     "then",      "equals", "equal",    "conclude",  "rewritten", "simplifies", "reduces",
     "shows",     "means",  "expanded", "expanding", "ie",        "accordingly"};
 
+/// "A population with the rate $r$ follows": the display is what it obeys. "From this the motion follows" and
+/// "the current follows" conclude.
+bool obeys(const Words& words, std::size_t k) {
+  static constexpr auto things = std::to_array<std::string_view>(
+      {"population", "populations", "system", "particle", "particles", "body", "motion", "oscillator",
+       "dynamics", "evolution", "process", "planet", "nuclei", "growth", "decay"});
+  if (words[k] != "follows" && words[k] != "follow") return false;
+  const auto before = std::span(words).first(k);
+  return std::ranges::any_of(before, [](std::string_view word) { return is_one_of(word, things); }) &&
+         std::ranges::none_of(before, [](std::string_view word) {
+           return is_one_of(word, {"from", "it", "this", "which", "what", "now", "then", "as"});
+         });
+}
+
 /// "The first law becomes", "Newton's second law gives": what is written down is the law.
 bool states_a_law(const Words& words, std::size_t k) {
-  return k > 0 && words[k - 1] == "law" && is_one_of(words[k], {"becomes", "gives", "yields"});
+  return obeys(words, k) ||
+         (k > 0 && words[k - 1] == "law" && is_one_of(words[k], {"becomes", "gives", "yields"}));
 }
 
 }  // namespace

@@ -50,11 +50,12 @@ struct Evidence {
   std::map<std::string, std::set<std::string>> tied;  // m of `m = \mu t`, with what stands on the other sides
   std::set<std::string> said_to_change;               // "$U$ depends on"
   std::set<std::string> may_change;  // these, what is tied to them or to the time, and what has an argument
-  bool d_is_a_letter = false;        // `F = Ed`, "the distance $d$": then `dU` may be a product
-  bool speaks_of_change = false;     // "variable mass", "grows": any letter may change
-  bool third_axis = false;           // a component along z, or three of them: it is not about the plane alone
-  bool operators = false;            // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
-  bool speaks_of_order = false;      // the words speak of matrices or operators: then capitals may be some
+  std::set<std::string> may_change_in_time;  // the same, but for x, y, z and r that nothing shows to move
+  bool d_is_a_letter = false;                // `F = Ed`, "the distance $d$": then `dU` may be a product
+  bool speaks_of_change = false;             // "variable mass", "grows": any letter may change
+  bool third_axis = false;         // a component along z, or three of them: it is not about the plane alone
+  bool operators = false;          // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
+  bool speaks_of_order = false;    // the words speak of matrices or operators: then capitals may be some
   bool order_in_heading = false;   // a heading does, or words of a group: then small letters may be some, too
   bool speaks_of_numbers = false;  // they say "numbers" and name none
   std::set<std::string> imaginary_units;  // `i`, `j`, `\mathrm{i}`: where they are shown to be the number i
@@ -293,6 +294,8 @@ void see_inline_functions(std::string_view text, Evidence& evidence);
 [[nodiscard]] bool is_changing(const Evidence& evidence, std::string_view name);
 /// Can it change, as far as the section shows?
 [[nodiscard]] bool may_be_changing(const Evidence& evidence, std::string_view name);
+/// With the time: r of `\dot N = rN` is no place.
+[[nodiscard]] bool may_be_changing_in_time(const Evidence& evidence, std::string_view name);
 
 /// Does the section write the symbol as a function: `V(r)`, `\omega(k) = \dots`? Its variables, of which
 /// the letters in other brackets, `V(r_0)`, are values; nothing where several could be that.

@@ -278,6 +278,10 @@ bool may_be_changing(const Evidence& evidence, std::string_view name) {
   return evidence.speaks_of_change || is_among(evidence.may_change, name);
 }
 
+bool may_be_changing_in_time(const Evidence& evidence, std::string_view name) {
+  return evidence.speaks_of_change || is_among(evidence.may_change_in_time, name);
+}
+
 namespace {
 
 /// \omega of `\omega^2`, x of `x(t)`.
@@ -373,25 +377,36 @@ void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evid
   if (!says_what_a_letter_is) see_mutual_ties(syntax, sides, evidence);
 }
 
-void settle_changes(Evidence& evidence) {
-  static constexpr std::string_view variables[] = {"t", "x", "y", "z", "r"};
-  std::set<std::string>& may_change = evidence.may_change;
-  may_change = evidence.changing;
-  may_change.insert(evidence.said_to_change.begin(), evidence.said_to_change.end());
-  may_change.insert(std::begin(variables), std::end(variables));
-  for (const auto& [variable, functions] : evidence.by) may_change.insert(variable);
-  for (const auto& [name, arguments] : evidence.functions) {
-    std::size_t at = 0;
-    may_change.insert(take_letter(name, at));
-  }
+namespace {
+
+/// With all that is tied to one of them.
+std::set<std::string> with_what_is_tied(std::set<std::string> changing, const Evidence& evidence) {
   for (bool grew = true; grew;) {
     grew = false;
     for (const auto& [letter, others] : evidence.tied) {
       const bool changes =
-          std::ranges::any_of(others, [&](const std::string& other) { return may_change.contains(other); });
-      grew = (changes && may_change.insert(letter).second) || grew;
+          std::ranges::any_of(others, [&](const std::string& other) { return changing.contains(other); });
+      grew = (changes && changing.insert(letter).second) || grew;
     }
   }
+  return changing;
+}
+
+}  // namespace
+
+void settle_changes(Evidence& evidence) {
+  static constexpr std::string_view places[] = {"x", "y", "z", "r"};
+  std::set<std::string> changing = evidence.changing;
+  changing.insert(evidence.said_to_change.begin(), evidence.said_to_change.end());
+  changing.insert("t");
+  for (const auto& [variable, functions] : evidence.by) changing.insert(variable);
+  for (const auto& [name, arguments] : evidence.functions) {
+    std::size_t at = 0;
+    changing.insert(take_letter(name, at));
+  }
+  evidence.may_change_in_time = with_what_is_tied(changing, evidence);
+  changing.insert(std::begin(places), std::end(places));
+  evidence.may_change = with_what_is_tied(std::move(changing), evidence);
 }
 
 std::optional<std::vector<std::string>> variables_of(const WrittenSymbol& symbol, const Evidence& evidence) {
