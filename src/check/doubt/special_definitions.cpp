@@ -48,6 +48,52 @@ bool is_another_case(std::string_view earlier, std::string_view lead) {
   return contrasts || (opens && is_one_of(second[0], opening) && !brings_in);
 }
 
+/// A number, or another letter; not a component or an integral, which only get a name.
+bool is_plain_value(const ExprTree& tree, ExprId id) {
+  while (tree[id].op == Op::negate) id = tree.children(id)[0];
+  const ExprNode& node = tree[id];
+  if (node.rank > 0) return false;
+  if (node.op != Op::symbol) return node.op == Op::number;
+  const Symbol& symbol = tree.symbols[node.symbol];
+  return node.slot_count == 0 && !symbol.derivation && !symbol.integral && !symbol.is_fixed();
+}
+
+/// Does a paragraph with words of its own begin in between? "A ball is dropped, so that $v_0 = 0$. / A ball
+/// that is thrown has".
+bool begins_anew(const Prose& prose, std::size_t earlier, std::size_t here) {
+  return std::ranges::any_of(prose.sentences, [&](const ProseSentence& sentence) {
+    return sentence.argument > earlier && sentence.argument <= here && has_own_words(sentence.text);
+  });
+}
+
+/// "We choose units in which", "from now on": a value that holds on, and is no case.
+bool is_said_for_all_below(std::string_view lead) {
+  static constexpr auto words = std::to_array<std::string_view>(
+      {"unit", "units", "choose", "chosen", "convention", "throughout", "everywhere", "always", "now",
+       "denote", "write", "abbreviate", "constant", "constants"});
+  return std::ranges::any_of(words_of_clause(lead),
+                             [](std::string_view word) { return is_one_of(word, words); });
+}
+
+bool is_said_as_example(std::string_view lead) {
+  return std::ranges::any_of(words_of_clause(lead), [](std::string_view word) {
+    return is_one_of(word, {"example", "instance", "eg"});
+  });
+}
+
+/// "In ordinary units", "restoring $c$" below "we choose units with $c = 1$".
+bool names_other_units(const Prose& prose, const ProseBeside& said, const ProseBeside& here) {
+  const auto speaks_of = [](std::string_view text, std::initializer_list<std::string_view> these) {
+    return std::ranges::any_of(words_of(text), [&](std::string_view word) { return is_one_of(word, these); });
+  };
+  if (!speaks_of(said.lead, {"units"})) return false;
+  return std::ranges::any_of(prose.sentences, [&](const ProseSentence& sentence) {
+    return sentence.number > said.sentence && sentence.number <= here.sentence &&
+           speaks_of(lowered(sentence.text),
+                     {"units", "si", "restoring", "restore", "restored", "reinstating"});
+  });
+}
+
 }  // namespace
 
 bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedDefinition& named) {
@@ -62,6 +108,10 @@ bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedD
   if (!prose.sections.reaches(origin.place, at.beside().place))
     return origin.conditional || origin.of_a_case || is_value(tree, named.definition.body) ||
            prose.sections.leaves_an_example(origin.place, at.beside().place);
+  const bool as_case = is_plain_value(tree, named.definition.body) && !is_said_for_all_below(said.lead);
+  if ((as_case || is_said_as_example(said.lead)) && begins_anew(prose, said.argument, at.beside().argument))
+    return true;
+  if (names_other_units(prose, said, at.beside())) return true;
   return said.sentence != at.beside().sentence && is_another_case(said.lead, at.beside().lead);
 }
 

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/verdict/chain_reading.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "base/among.h"
 
 #include "check/verdict/antiderivatives.h"
 #include "elaborate/notation/differential.h"
@@ -79,6 +84,22 @@ std::string written_step(const ParsedChain& parsed, std::size_t which) {
   return text_of(left) + " " + chain.relations[which].text + " " + text_of(right);
 }
 
+/// An index of a side that neither a sum nor the equation runs over; nothing as a rule. Recursion: as deep as
+/// the tree.
+std::optional<IndexId> unbound_index(const ExprTree& tree, ExprId id, std::vector<IndexId>& bound) {
+  for (const Slot& slot : tree.slots(id)) {
+    if (slot.axis == 0 && !is_one_of(slot.variable, bound)) return slot.variable;
+  }
+  const bool sums = tree[id].op == Op::index_sum;
+  if (sums) bound.push_back(tree[id].index);
+  std::optional<IndexId> found;
+  for (const ExprId child : tree.children(id)) {
+    if (!found) found = unbound_index(tree, child, bound);
+  }
+  if (sums) bound.pop_back();
+  return found;
+}
+
 }  // namespace
 
 ChainReading::ChainReading(const SyntaxTree& syntax, ExprTree& tree, Names& names, const ParsedChain& parsed,
@@ -113,6 +134,15 @@ std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t 
   auto equation = equate(reading_, swapped ? right : left, swapped ? left : right, place);
   if (!equation) return std::nullopt;
   equation->relation = relation_of(relation.kind);
+  for (const ExprId side : {equation->left, equation->right}) {
+    std::vector<IndexId> bound(equation->indices.begin(), equation->indices.end());
+    if (const auto index = unbound_index(tree_, side, bound)) {
+      diagnostics.push_back({DiagnosticKind::ambiguous_reading, relation.span,
+                             fmt::format("`{}` is an index on one side, and nothing says what it runs over",
+                                         tree_.name(*index))});
+      return std::nullopt;
+    }
+  }
   const bool unequal = relation.kind == RelationKind::unequal;
   if (is_order(relation.kind) && !unequal && tree_[equation->left].rank > 0) {
     diagnostics.push_back(

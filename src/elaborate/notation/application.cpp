@@ -154,6 +154,29 @@ bool may_be_inverse(const Reading& reading, SyntaxId power, SyntaxId bracket) {
                     letter_with_marks(syntax.symbol(syntax.child(power, 0))));
 }
 
+/// \sigma of `\sigma^2`, \psi of `|\psi|^2`.
+std::optional<SyntaxId> letter_in_power(const SyntaxTree& syntax, SyntaxId id) {
+  if (syntax[id].kind != SyntaxKind::power) return std::nullopt;
+  SyntaxId base = syntax.child(id, 0);
+  const bool modulus = syntax[base].kind == SyntaxKind::bars;
+  if (modulus) base = syntax.child(base, 0);
+  return syntax[base].kind == SyntaxKind::symbol ? std::optional(base) : std::nullopt;
+}
+
+/// `(fg)` and `(f + g)` where the section writes `f(x)` and `g(x)`.
+bool joins_functions(const Reading& reading, SyntaxId group) {
+  const SyntaxTree& syntax = reading.syntax;
+  if (syntax[group].kind != SyntaxKind::group) return false;
+  std::size_t letters = 0;
+  for (const SyntaxId id : nodes_below(syntax, {group})) {
+    if (syntax[id].kind == SyntaxKind::number) return false;
+    if (syntax[id].kind != SyntaxKind::symbol) continue;
+    if (!is_applied(*reading.names.symbols.evidence, letter_with_marks(syntax.symbol(id)))) return false;
+    ++letters;
+  }
+  return letters > 1;
+}
+
 /// Does an operator stand in it?
 bool holds_operator(const Reading& reading, SyntaxId bracket) {
   const Evidence& evidence = *reading.names.symbols.evidence;
@@ -183,6 +206,14 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
       return SpelledPart{both, "this can be a change of second order, or a power and a factor", {}};
     if (power_of_symbol && may_be_inverse(reading, id, next))
       return SpelledPart{both, "this can be the value of the inverse function, or a reciprocal", {}};
+    if (joins_functions(reading, id) && syntax[next].kind == SyntaxKind::group)
+      return SpelledPart{both, "this can be the value of functions that are joined, or a product", {}};
+    const auto squared = letter_in_power(syntax, id);
+    if (squared && syntax[next].kind == SyntaxKind::group &&
+        part_of_bracket(reading, *squared, next) != BracketPart::factor)
+      return SpelledPart{both,
+                         "this can be a power of a function's value, or a power and a factor",
+                         {"`f(x)^2` is a power of a value, and a factor can stand before the power"}};
     const bool starred = syntax[id].kind == SyntaxKind::function && syntax.text(id) == "conjugate";
     if (starred && syntax[next].kind == SyntaxKind::group &&
         part_of_bracket(reading, without_derivatives(syntax, id), next) != BracketPart::factor)
