@@ -80,6 +80,18 @@ bool ends_sentence(std::string_view display) {
   return !display.empty() && display.back() == '.';
 }
 
+/// "(b) The block", "(ii) For": a part of a problem; not "(3) gives".
+bool begins_a_part(std::string_view text, std::size_t at) {
+  constexpr std::size_t longest = 4;
+  if (text[at] != '(') return false;
+  const std::size_t close = text.find(')', at);
+  if (close == std::string_view::npos || close == at + 1 || close - at > longest + 1) return false;
+  if (!std::ranges::all_of(text.substr(at + 1, close - at - 1),
+                           [](char c) { return is_letter(c) || is_digit(c); }))
+    return false;
+  return close + 2 < text.size() && text[close + 1] == ' ' && is_capital_letter(text[close + 2]);
+}
+
 bool is_abbreviation(std::string_view word) {
   static constexpr std::array<std::string_view, 14> known{"e",   "g",  "i",   "eq",   "eqs", "fig", "cf",
                                                           "sec", "vs", "ref", "resp", "dr",  "eqn", "ca"};
@@ -303,7 +315,7 @@ class ProseReader {
   std::size_t read_blanks(const std::string& text, std::size_t at) {
     std::size_t lines = 0;
     for (; at < text.size() && is_space(text[at]); ++at) lines += text[at] == '\n' ? 1 : 0;
-    const bool capital = at < text.size() && is_capital_letter(text[at]);
+    const bool capital = at < text.size() && (is_capital_letter(text[at]) || begins_a_part(text, at));
     const auto last = sentence_.find_last_not_of(' ');
     const bool behind_display = last != std::string::npos && sentence_[last] == '\n';
     // A capital after a blank line or a display begins a sentence, also where no full stop stands.

@@ -17,6 +17,7 @@
 #include "check/meaning/identity_reading.h"
 #include "check/meaning/measured.h"
 #include "check/place/place.h"
+#include "check/question/base_letters.h"
 #include "check/word/place_words.h"
 #include "check/word/prose_words.h"
 #include "elaborate/evidence/evidence.h"
@@ -48,6 +49,21 @@ bool is_value(const ExprTree& tree, const Equation& equation) {
   if (has_operators(tree, equation.left) || has_operators(tree, equation.right)) return false;
   const auto is_number = [&](ExprId side) { return !tree.is_zero_literal(side) && is_measured(tree, side); };
   return is_number(equation.left) || is_number(equation.right);
+}
+
+/// `x^2 - 5x + 6 = 0`: it says what one letter is worth, and another equation may say it of another thing.
+bool determines_a_letter(const ExprTree& tree, const Equation& equation) {
+  const std::set<SymbolId> letters = written_letters(tree, equation);
+  const auto is_plain = [&](SymbolId each) {
+    const Symbol& symbol = tree.symbols[each];
+    return symbol.rank == 0 && !symbol.noncommuting && !symbol.integral && !symbol.derivation;
+  };
+  const auto differentiates = [&](ExprId side) {
+    return std::ranges::any_of(symbols_in(tree, side),
+                               [&](SymbolId each) { return tree.symbols[each].derivation.has_value(); });
+  };
+  return letters.size() == 1 && is_plain(*letters.begin()) && !differentiates(equation.left) &&
+         !differentiates(equation.right);
 }
 
 /// "Example 3", "Exercises": what is stated there holds there.
@@ -339,7 +355,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
               .at_instant = (momentary || sets) && !lasts,
               .of_a_case = in_a_case || ((momentary || sets) && !of_values) || is_an_example(place) ||
                            beside_an_arrow || is_conditional(place, !operators) ||
-                           is_value(place.tree, equation),
+                           is_value(place.tree, equation) || determines_a_letter(place.tree, equation),
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
               .standing = standing};
   place.found.stated.push_back({.law = std::move(law),
