@@ -8,6 +8,7 @@
 
 #include "base/among.h"
 #include "check/doubt/one_direction.h"
+#include "check/doubt/special_definitions.h"
 #include "check/prose/restrictions.h"
 #include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
@@ -413,7 +414,8 @@ class Heeding {
       });
       if (!asked || named.origin.directive) continue;
       const bool in_between = case_word && named.origin.event != at_.event;
-      if (is_said_for(at_, named.origin) && !in_between) continue;
+      const bool of_another = is_case_of_another_paragraph(tree_, at_, named);
+      if (is_said_for(at_, named.origin) && !in_between && !of_another) continue;
       if (!is_used_here(at_, names_, named.origin, named.definition.symbol, judgement_.used))
         borrowed.push_back(named);
     }
@@ -429,8 +431,11 @@ class Heeding {
                                  use_of(names_, tree_, named.definition.symbol)));
     }
     const bool elsewhere = !is_said_for(at_, borrowed.front().origin);
+    const bool of_another = !elsewhere && is_case_of_another_paragraph(tree_, at_, borrowed.front());
     withdraw(DiagnosticKind::borrowed,
-             elsewhere
+             of_another ? fmt::format("it fails only with `{}`, which may be meant for another case",
+                                      borrowed.front().origin.text)
+             : elsewhere
                  ? fmt::format("it fails only with `{}`, which {}", borrowed.front().origin.text,
                                borrowed.front().origin.conditional || borrowed.front().origin.on_its_line
                                    ? "its own sentence may limit to a case"

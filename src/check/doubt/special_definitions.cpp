@@ -53,7 +53,7 @@ bool is_plain_value(const ExprTree& tree, ExprId id) {
   while (tree[id].op == Op::negate) id = tree.children(id)[0];
   const ExprNode& node = tree[id];
   if (node.rank > 0) return false;
-  if (node.op != Op::symbol) return node.op == Op::number;
+  if (node.op != Op::symbol) return symbols_in(tree, id).empty();
   const Symbol& symbol = tree.symbols[node.symbol];
   return node.slot_count == 0 && !symbol.derivation && !symbol.integral && !symbol.is_fixed();
 }
@@ -95,6 +95,15 @@ bool names_other_units(const Prose& prose, const ProseBeside& said, const ProseB
 }
 
 }  // namespace
+
+bool is_case_of_another_paragraph(const ExprTree& tree, const Standpoint& at, const NamedDefinition& named) {
+  const ProseBeside& said = at.prose.beside[named.origin.event];
+  const ProseBeside& here = at.beside();
+  if (named.origin.directive || named.origin.event == at.event) return false;
+  const bool value = is_plain_value(tree, named.definition.body) && !is_said_for_all_below(said.lead);
+  return names_other_units(at.prose, said, here) || ((value || is_said_as_example(said.lead)) &&
+                                                     begins_anew(at.prose, said.argument, here.argument));
+}
 
 bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedDefinition& named) {
   const Origin& origin = named.origin;

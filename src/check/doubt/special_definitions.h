@@ -7,6 +7,11 @@
 
 namespace rigor {
 
+/// `v_0 = 0` of "A ball is dropped", below "A ball that is thrown has": a value, an example or a choice of
+/// units that another paragraph makes.
+[[nodiscard]] bool is_case_of_another_paragraph(const ExprTree& tree, const Standpoint& at,
+                                                const NamedDefinition& named);
+
 /// Is the definition said for another case than that of the place?
 [[nodiscard]] bool is_of_another_case(const ExprTree& tree, const Standpoint& at,
                                       const NamedDefinition& named);
