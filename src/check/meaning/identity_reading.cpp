@@ -106,6 +106,29 @@ std::vector<SignedTerm> signed_terms(const ExprTree& tree, ExprId side) {
   return terms;
 }
 
+int order_shown(const ExprTree& tree, const NameScope& scope, const Equation& equation) {
+  const auto is_small = [&](ExprId id) {
+    return tree[id].op == Op::symbol && std::ranges::any_of(scope.small, [&](const SmallQuantity& small) {
+             return tree[small.quantity].symbol == tree[id].symbol;
+           });
+  };
+  int highest = 1;
+  const auto look = [&](const auto& self, ExprId id) -> void {
+    const std::span<const ExprId> children = tree.children(id);
+    const Op op = tree[id].op;
+    if (op == Op::power && is_small(children[0]))
+      highest = std::max(highest, static_cast<int>(tree[id].exponent));
+    if (op == Op::negate || op == Op::multiply) {
+      for (const ExprId child : children) self(self, child);
+    }
+    if (op == Op::divide) self(self, children[0]);
+  };
+  for (const ExprId side : {equation.left, equation.right}) {
+    for (const SignedTerm& term : signed_terms(tree, side)) look(look, term.id);
+  }
+  return highest;
+}
+
 namespace {
 
 /// `H + \partial_tF = H`: all terms of one side are on the other. That the rest vanishes is a condition.
@@ -260,8 +283,10 @@ std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
 }
 
 std::vector<SymbolId> law_symbols(const Question& question, const NameScope& scope, bool restates,
-                                  const std::set<SymbolId>& frames, DecisionCache* cache) {
+                                  DecisionCache* cache) {
   const ExprTree& tree = *question.tree;
+  std::set<SymbolId> frames;  // the rotations
+  for (const Frame& frame : *scope.frames) frames.insert(frame.rotation);
   const std::set<SymbolId> left = as_set(primitive_symbols(question, question.claim.left));
   const std::set<SymbolId> right = as_set(primitive_symbols(question, question.claim.right));
   std::set<SymbolId> all = left;

@@ -27,11 +27,10 @@ class DecisionCache;
 
 /// The symbols, not meant for all values, for which the equation reads as a law or condition; none if it
 /// reads as an identity. `restates`: the left side is a defined symbol alone, so one common symbol makes no
-/// condition of it. `frames`: the rotations that carry turning axes. They turn by an angular velocity. If
-/// nothing else is defined, it is on a side only if it is written there.
+/// condition of it. The rotations that carry turning axes turn by an angular velocity: if nothing else is
+/// defined, it is on a side only if it is written there.
 [[nodiscard]] std::vector<SymbolId> law_symbols(const Question& question, const NameScope& scope,
-                                                bool restates = false, const std::set<SymbolId>& frames = {},
-                                                DecisionCache* cache = nullptr);
+                                                bool restates = false, DecisionCache* cache = nullptr);
 
 /// A term of a side: a sum within a sum belongs to the outer one.
 struct SignedTerm {
@@ -39,6 +38,10 @@ struct SignedTerm {
   ExprId id;
 };
 [[nodiscard]] std::vector<SignedTerm> signed_terms(const ExprTree& tree, ExprId side);
+
+/// 2 of `\cos\theta \approx 1 - \theta^2/2`: the highest whole power of what is small that is a factor of a
+/// term; 1 where there is none.
+[[nodiscard]] int order_shown(const ExprTree& tree, const NameScope& scope, const Equation& equation);
 
 /// The symbols below both sides, with the definitions in the question unfolded: what the equation is about in
 /// the end.

@@ -166,11 +166,9 @@ class RowReader {
     options_.cache->begin(options_.effort);
     Prepared prepared = prepare(tree_, place.names, equation);
     prepared.question.tree = &tree_;
-    std::set<SymbolId> rotations;
-    for (const Frame& frame : *place.names.scope.frames) rotations.insert(frame.rotation);
     const ExprNode& left = tree_[equation.left];
     const bool restates = left.op == Op::symbol && definition_of(place.names.scope, left.symbol) != nullptr;
-    return law_symbols(prepared.question, place.names.scope, restates, rotations, options_.cache);
+    return law_symbols(prepared.question, place.names.scope, restates, options_.cache);
   }
 
   ExprTree& tree_;

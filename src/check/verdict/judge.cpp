@@ -258,8 +258,7 @@ class Judging {
                                 "it follows from assumptions that no sample was found to satisfy, and "
                                 "contradictory assumptions prove anything"))
       return;
-    if (takes_another_order()) return;
-    if (exists_nowhere()) return;
+    if (takes_another_order() || exists_nowhere()) return;
     judgement_.verdict = Verdict::proved;
     if (prepared_.exists_under) {
       const auto& assumptions = prepared_.question.assumptions;
@@ -303,13 +302,6 @@ class Judging {
     return true;
   }
 
-  /// Those that carry the axes of frames.
-  [[nodiscard]] std::set<SymbolId> rotations() const {
-    std::set<SymbolId> found;
-    for (const Frame& frame : *names_.scope.frames) found.insert(frame.rotation);
-    return found;
-  }
-
   /// E is declared small, which means of first order, and E = v² makes it the square of a quantity.
   bool takes_another_order() {
     if (!claim_.nearly) return false;
@@ -340,6 +332,11 @@ class Judging {
       if (higher.too_large) return;
       const Decision decision = decide(cache_, higher.question, brief);
       if (decision.outcome == Outcome::proved) continue;
+      if (order <= order_shown(tree_, names_.scope, claim_.equation)) {
+        judgement_.verdict = Verdict::undecided;
+        return add(DiagnosticKind::undecided,
+                   fmt::format("it holds to first order, but not to order {}, which it shows", order));
+      }
       if (decision.outcome == Outcome::refuted)
         judgement_.route += fmt::format("; the first term left out is of order {}", order);
       return;
@@ -553,8 +550,7 @@ class Judging {
   /// `outcomes`: that show it, if it is about averages.
   void weigh_as_identity(const Decision& decision, const std::string& outcomes = {}) {
     std::vector<SymbolId> law;
-    if (!claim_.for_all)
-      law = law_symbols(prepared_.question, names_.scope, restates_definition(), rotations(), cache_);
+    if (!claim_.for_all) law = law_symbols(prepared_.question, names_.scope, restates_definition(), cache_);
     const bool order = claim_.equation.relation != Relation::equal;
     if (!law.empty() && (order || !both_constant(*decision.sample))) {
       state_law_of(law);
@@ -614,7 +610,7 @@ class Judging {
   void law_of_unknown_rates() {
     if (claim_.for_all || own_guess() || claim_.doubt != nullptr) return;
     const std::vector<SymbolId> law =
-        law_symbols(prepared_.question, names_.scope, restates_definition(), rotations(), cache_);
+        law_symbols(prepared_.question, names_.scope, restates_definition(), cache_);
     if (law.empty()) return;
     state_law_of(law);
     judgement_.diagnostics.clear();
