@@ -21,6 +21,8 @@
 namespace rigor {
 namespace {
 
+/// Each new primitive is compared with all others, and the neighbours of a row have hundreds.
+constexpr std::size_t most_unknown = 64;
 constexpr Limits brief{.expanded_terms = 4'000,
                        .steps = 200'000,
                        .sample_attempts = 60,
@@ -357,6 +359,7 @@ std::optional<ExprId> IntegralValues::unknown_at(ExprId integrand, const Running
   };
   auto found = std::ranges::find_if(unknown_, is_it);
   if (found == unknown_.end()) {
+    if (unknown_.size() == most_unknown) return std::nullopt;
     const std::string end = limit.at             ? print_latex(tree_, *limit.at)
                             : limit.infinity < 0 ? "-\\infty"
                                                  : "\\infty";
