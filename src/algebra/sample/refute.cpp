@@ -137,7 +137,9 @@ std::optional<Refuter::Counterexample> Refuter::search() {
   while (sequence_.drawn() < limits_.sample_attempts) {
     if (auto found = attempt_next()) return found;
   }
-  return points_compared_ < enough_points ? search_enclosed() : std::nullopt;
+  // Where few points have rational values, these are special: `\ln(a/b)` has one where a = b.
+  const bool special = points_compared_ < enough_points || 2 * points_compared_ < sequence_.drawn();
+  return special ? search_enclosed() : std::nullopt;
 }
 
 /// From now on everything is enclosed: what is found is made simple, too.
