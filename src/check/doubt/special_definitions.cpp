@@ -60,10 +60,12 @@ bool is_plain_value(const ExprTree& tree, ExprId id) {
 
 /// Does a paragraph with words of its own begin in between? "A ball is dropped, so that $v_0 = 0$. / A ball
 /// that is thrown has".
-bool begins_anew(const Prose& prose, std::size_t earlier, std::size_t here) {
-  return std::ranges::any_of(prose.sentences, [&](const ProseSentence& sentence) {
-    return sentence.argument > earlier && sentence.argument <= here && has_own_words(sentence.text);
-  });
+bool begins_anew(const Prose& prose, const ProseBeside& earlier, const ProseBeside& here) {
+  return here.argument > earlier.argument &&
+         std::ranges::any_of(prose.sentences, [&](const ProseSentence& sentence) {
+           return sentence.number > earlier.sentence && sentence.number <= here.sentence &&
+                  has_own_words(sentence.text);
+         });
 }
 
 /// "We choose units in which", "from now on": a value that holds on, and is no case.
@@ -101,8 +103,8 @@ bool is_case_of_another_paragraph(const ExprTree& tree, const Standpoint& at, co
   const ProseBeside& here = at.beside();
   if (named.origin.directive || named.origin.event == at.event) return false;
   const bool value = is_plain_value(tree, named.definition.body) && !is_said_for_all_below(said.lead);
-  return names_other_units(at.prose, said, here) || ((value || is_said_as_example(said.lead)) &&
-                                                     begins_anew(at.prose, said.argument, here.argument));
+  return names_other_units(at.prose, said, here) ||
+         ((value || is_said_as_example(said.lead)) && begins_anew(at.prose, said, here));
 }
 
 bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedDefinition& named) {
@@ -117,10 +119,7 @@ bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedD
   if (!prose.sections.reaches(origin.place, at.beside().place))
     return origin.conditional || origin.of_a_case || is_value(tree, named.definition.body) ||
            prose.sections.leaves_an_example(origin.place, at.beside().place);
-  const bool as_case = is_plain_value(tree, named.definition.body) && !is_said_for_all_below(said.lead);
-  if ((as_case || is_said_as_example(said.lead)) && begins_anew(prose, said.argument, at.beside().argument))
-    return true;
-  if (names_other_units(prose, said, at.beside())) return true;
+  if (is_case_of_another_paragraph(tree, at, named)) return true;
   return said.sentence != at.beside().sentence && is_another_case(said.lead, at.beside().lead);
 }
 

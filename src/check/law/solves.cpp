@@ -188,10 +188,27 @@ std::optional<Judgement> holds_when_put_in(const RowUnderLaws& put_in, const Nam
   return met ? std::optional(std::move(judgement)) : std::nullopt;
 }
 
+/// Does it speak of values of functions, and of letters that no function of it is, nor runs over?
+bool is_of_values_alone(const RowUnderLaws& row, const std::vector<SymbolId>& written) {
+  const auto& values = row.names.symbols.function_values;
+  bool found = false;
+  for (const SymbolId each : written) {
+    const auto value = values.find(each);
+    if (value == nullptr) continue;
+    found = true;
+    if (is_value_anywhere(row, each)) return false;
+    for (const SymbolId other : written) {
+      const bool runs = base_of(row.tree.symbols, value->second.of) == base_of(row.tree.symbols, other) ||
+                        is_one_of(row.tree.symbols[other].name, value->second.variables);
+      if (!values.contains(other) && runs) return false;
+    }
+  }
+  return found;
+}
+
 /// x_0 of `x(0) = x_0`, h and U of `u(h) = U`: what a function is somewhere does not change, nor does the
 /// place.
 std::vector<SymbolId> letters_of_values(const RowUnderLaws& row, const Laws& available) {
-  const auto is_value = [&](SymbolId each) { return row.names.symbols.function_values.contains(each); };
   const auto is_plain = [&](SymbolId each) {
     const Symbol& symbol = row.tree.symbols[each];
     const NameKey* key = key_of(row.names.symbols, each);
@@ -201,14 +218,12 @@ std::vector<SymbolId> letters_of_values(const RowUnderLaws& row, const Laws& ava
   };
   std::vector<SymbolId> letters;
   for (const PageLaw* law : available) {
-    std::vector<SymbolId> written;
-    for (const ExprId side : {law->equation.left, law->equation.right})
-      std::ranges::copy(symbols_in(row.tree, side), std::back_inserter(written));
-    const bool of_values =
-        std::ranges::any_of(written, is_value) && std::ranges::all_of(written, [&](SymbolId each) {
-          return is_value(each) ? !is_value_anywhere(row, each) : is_plain(each);
-        });
-    if (of_values) std::ranges::remove_copy_if(written, std::back_inserter(letters), is_value);
+    std::vector<SymbolId> written = symbols_in(row.tree, law->equation.left);
+    std::ranges::copy(symbols_in(row.tree, law->equation.right), std::back_inserter(written));
+    if (!is_of_values_alone(row, written)) continue;
+    std::erase_if(written,
+                  [&](SymbolId each) { return row.names.symbols.function_values.contains(each); });
+    if (std::ranges::all_of(written, is_plain)) std::ranges::copy(written, std::back_inserter(letters));
   }
   return letters;
 }

@@ -123,9 +123,7 @@ int order_shown(const ExprTree& tree, const NameScope& scope, const Equation& eq
     }
     if (op == Op::divide) self(self, children[0]);
   };
-  for (const ExprId side : {equation.left, equation.right}) {
-    for (const SignedTerm& term : signed_terms(tree, side)) look(look, term.id);
-  }
+  for (const SignedTerm& term : signed_terms(tree, equation.right)) look(look, term.id);
   return highest;
 }
 

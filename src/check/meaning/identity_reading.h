@@ -40,7 +40,7 @@ struct SignedTerm {
 [[nodiscard]] std::vector<SignedTerm> signed_terms(const ExprTree& tree, ExprId side);
 
 /// 2 of `\cos\theta \approx 1 - \theta^2/2`: the highest whole power of what is small that is a factor of a
-/// term; 1 where there is none.
+/// term on the right side; 1 where there is none. What only the left side has is left out.
 [[nodiscard]] int order_shown(const ExprTree& tree, const NameScope& scope, const Equation& equation);
 
 /// The symbols below both sides, with the definitions in the question unfolded: what the equation is about in

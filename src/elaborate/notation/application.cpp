@@ -154,9 +154,14 @@ bool may_be_inverse(const Reading& reading, SyntaxId power, SyntaxId bracket) {
                     letter_with_marks(syntax.symbol(syntax.child(power, 0))));
 }
 
-/// \sigma of `\sigma^2`, \psi of `|\psi|^2`.
+/// \sigma of `\sigma^2` and `\sigma^{-1}`, \psi of `|\psi|^2`; not e of `e^x`.
 std::optional<SyntaxId> letter_in_power(const SyntaxTree& syntax, SyntaxId id) {
   if (syntax[id].kind != SyntaxKind::power) return std::nullopt;
+  const bool whole = std::ranges::none_of(nodes_below(syntax, {syntax.child(id, 1)}), [&](SyntaxId each) {
+    return syntax[each].kind != SyntaxKind::number && syntax[each].kind != SyntaxKind::sum &&
+           syntax[each].kind != SyntaxKind::group;
+  });
+  if (!whole) return std::nullopt;
   SyntaxId base = syntax.child(id, 0);
   const bool modulus = syntax[base].kind == SyntaxKind::bars;
   if (modulus) base = syntax.child(base, 0);
@@ -206,7 +211,9 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
       return SpelledPart{both, "this can be a change of second order, or a power and a factor", {}};
     if (power_of_symbol && may_be_inverse(reading, id, next))
       return SpelledPart{both, "this can be the value of the inverse function, or a reciprocal", {}};
-    if (joins_functions(reading, id) && syntax[next].kind == SyntaxKind::group)
+    const bool of_letter = syntax[next].kind == SyntaxKind::group &&
+                           syntax[syntax.child(next, 0)].kind == SyntaxKind::symbol;
+    if (of_letter && joins_functions(reading, id))
       return SpelledPart{both, "this can be the value of functions that are joined, or a product", {}};
     const auto squared = letter_in_power(syntax, id);
     if (squared && syntax[next].kind == SyntaxKind::group &&
@@ -361,13 +368,17 @@ std::string name_of_function(const Reading& reading, const Typed& of) {
 
 /// t of `x(t)`, as the section writes it; of what is dotted the time.
 std::vector<std::string> running_variables(const Reading& reading, const WrittenSymbol& function,
-                                           std::size_t count) {
+                                           SymbolId of, std::size_t count) {
   WrittenSymbol bare = function;
   bare.primes = 0;
   bare.dots = 0;
   if (auto variables = variables_of(bare, *reading.names.symbols.evidence))
     return variables->size() == count ? *std::move(variables) : std::vector<std::string>{};
-  return count == 1 && function.dots > 0 ? std::vector<std::string>{"t"} : std::vector<std::string>{};
+  // u(0) beside `\dot u`, also where nobody writes `u(t)`.
+  const NameKey* key = key_of(reading.names.symbols, base_of(reading.tree.symbols, of));
+  const bool in_time =
+      function.dots > 0 || (key != nullptr && has_rate(*reading.names.symbols.sightings, *key));
+  return count == 1 && in_time ? std::vector<std::string>{"t"} : std::vector<std::string>{};
 }
 
 }  // namespace
@@ -395,7 +406,8 @@ MaybeTyped value_of_function(Reading& reading, SyntaxId function, SyntaxId brack
   if (reading.tree[of->id].op == Op::symbol && !reading.names.symbols.function_values.contains(symbol))
     reading.names.symbols.function_values.put(
         {symbol,
-         {reading.tree[of->id].symbol, running_variables(reading, syntax.symbol(function), at.size()), at}});
+         {reading.tree[of->id].symbol,
+          running_variables(reading, syntax.symbol(function), reading.tree[of->id].symbol, at.size()), at}});
   Typed value{.rank = of->rank};
   value.id = reading.tree.add({.op = Op::symbol,
                                .rank = static_cast<std::uint8_t>(of->rank),
