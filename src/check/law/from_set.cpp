@@ -270,6 +270,20 @@ std::vector<ExprId> divisors_of(ExprTree& tree, const NameScope& scope, const Eq
   return divisors;
 }
 
+/// `x = Ae^{\lambda t}` beside an equation that differentiates x: who tries that means no A = 0.
+bool is_ansatz(const ExprTree& tree, const PageLaw& law, const Laws& set) {
+  const ExprNode& left = tree[law.equation.left];
+  if (left.op != Op::symbol || tree.symbols[left.symbol].derivation) return false;
+  return std::ranges::any_of(set, [&](const PageLaw* other) {
+    const std::array sides{other->equation.left, other->equation.right};
+    return std::ranges::any_of(sides, [&](ExprId side) {
+      return std::ranges::any_of(symbols_in(tree, side), [&](SymbolId each) {
+        return tree.symbols[each].derivation && base_of(tree.symbols, each) == left.symbol;
+      });
+    });
+  });
+}
+
 /// The row may stay open in a letter that vanishes only where it has not that letter itself.
 std::vector<ExprId> not_zero(const RowUnderLaws& row, const Laws& set) {
   std::set<SymbolId> own = letters_that_may_vanish(row);
@@ -277,7 +291,7 @@ std::vector<ExprId> not_zero(const RowUnderLaws& row, const Laws& set) {
   const auto vanishes = [&](const Equation& equation) {
     return row.tree.is_zero_literal(equation.left) || row.tree.is_zero_literal(equation.right);
   };
-  if (vanishes(row.claim.equation)) return {};
+  const bool row_vanishes = vanishes(row.claim.equation);
   for (const PageLaw* law : set) {
     if (vanishes(law->equation)) own.merge(base_letters(row.tree, row.names.scope, law->equation));
     const ExprNode& left = row.tree[law->equation.left];
@@ -285,7 +299,7 @@ std::vector<ExprId> not_zero(const RowUnderLaws& row, const Laws& set) {
   }
   std::map<std::string, ExprId> divisors;
   for (const PageLaw* law : set) {
-    if (vanishes(law->equation)) continue;
+    if (vanishes(law->equation) || (row_vanishes && !is_ansatz(row.tree, *law, set))) continue;
     for (const ExprId divisor : divisors_of(row.tree, row.names.scope, law->equation, own)) {
       if (divisors.size() < most_not_zero) divisors.try_emplace(dump(row.tree, divisor), divisor);
     }

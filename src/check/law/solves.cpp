@@ -300,9 +300,22 @@ bool meets(const RowUnderLaws& row, const Names& put_in, const std::vector<Value
 
 }  // namespace
 
+std::optional<SymbolId> letter_of_particular_solution(const Names& names, SymbolId letter) {
+  const NameKey* key = key_of(names.symbols, letter);
+  if (key == nullptr) return std::nullopt;
+  const std::string bare = without_labels(key->base);
+  const std::string_view label = std::string_view(key->base).substr(bare.size());
+  if (!is_one_of(label, {"_p", "_{p}", "_{part}", "_{\\mathrm{p}}", "_{\\mathrm{part}}"})) return std::nullopt;
+  NameKey of = *key;
+  of.base = bare;
+  return find_symbol(names.symbols, of);
+}
+
 std::optional<SolvedEquation> solved_equation(const RowUnderLaws& row, const Laws& bearing) {
-  const auto unknown = unknown_of(row);
+  auto unknown = unknown_of(row);
   if (!unknown) return std::nullopt;
+  const auto of_particular = letter_of_particular_solution(row.names, *unknown);
+  if (of_particular) unknown = of_particular;
   std::optional<SolvedEquation> found;
   Laws others;
   for (const PageLaw* each : bearing) {
@@ -314,6 +327,7 @@ std::optional<SolvedEquation> solved_equation(const RowUnderLaws& row, const Law
     if (!of_unknown && others.size() < most_other_laws) others.push_back(each);
   }
   if (found) found->others = std::move(others);
+  if (found) found->particular = of_particular.has_value();
   return found;
 }
 
@@ -346,15 +360,17 @@ std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing, co
   const auto solved = solved_equation(row, bearing);
   if (!solved) return std::nullopt;
   const DifferentialEquation& of = solved->of;
-  std::vector<ValueCondition> conditions = conditions_on(row.tree, row.names, available, of.unknown);
+  std::vector<ValueCondition> conditions;
+  if (!solved->particular) conditions = conditions_on(row.tree, row.names, available, of.unknown);
   const std::vector<SymbolId> constants = free_constants(row, solved->law->equation, conditions);
   const bool is_general = static_cast<int>(constants.size()) >= of.order;
   if (is_general) conditions.clear();  // they say what the constants are
   std::vector<SymbolId> known = letters_of_values(row, available);
   known.insert(known.end(), constants.begin(), constants.end());
   const Span begin = conditions.empty() ? solved->law->span : conditions.front().law->span;
-  if (is_solved_since(row.tree, bearing, of.unknown, begin)) return std::nullopt;
-  if (!is_general && (!constants.empty() || !leave_one_solution(row.tree, row.names, of, conditions)))
+  const bool any = solved->particular;
+  if (!any && is_solved_since(row.tree, bearing, of.unknown, begin)) return std::nullopt;
+  if (!any && !is_general && (!constants.empty() || !leave_one_solution(row.tree, row.names, of, conditions)))
     return std::nullopt;
   const Names names = with_row_put_in(row, of.unknown, known);
   Claim claim = row.claim;
@@ -364,7 +380,7 @@ std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing, co
   if (!found && !solved->others.empty()) found = holds_when_put_in(put_in, row.names, solved->others, of.by);
   if (!found) return std::nullopt;
   const Names constant = with_constants_of_solution(put_in, of.by);
-  if (is_general && !Independence(row, constant, of).holds(constants)) return std::nullopt;
+  if (!any && is_general && !Independence(row, constant, of).holds(constants)) return std::nullopt;
   if (!meets(row, names, conditions, of.by) || !has_its_own_values(row, of, known)) return std::nullopt;
   std::erase(found->uses, solution);
   for (const ValueCondition& each : conditions) found->uses.insert(found->uses.begin(), each.law->name);

@@ -14,8 +14,12 @@ namespace rigor {
 struct SolvedEquation {
   DifferentialEquation of;
   const PageLaw* law = nullptr;
-  Laws others = {};  // that may be needed for it
+  Laws others = {};         // that may be needed for it
+  bool particular = false;  // the row is one of many solutions
 };
+
+/// x of x_p, "a particular solution"; nothing of other letters.
+[[nodiscard]] std::optional<SymbolId> letter_of_particular_solution(const Names& names, SymbolId letter);
 
 /// The nearest law with a derivative of x.
 [[nodiscard]] std::optional<SolvedEquation> solved_equation(const RowUnderLaws& row, const Laws& bearing);
@@ -27,7 +31,7 @@ struct SolvedEquation {
 /// Does the row solve the nearest law with a derivative of x? Put in, the law holds, and the row has as many
 /// independent free constants as the order of the law says, two at most; or it has none, and meets the
 /// initial or boundary conditions among `available`, which leave one solution. So it is what the law leaves
-/// open. `uses` names the law and what else is needed for that.
+/// open. `uses` names the law and what else is needed for that. Of x_p it is enough that it solves the law of x.
 [[nodiscard]] std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing,
                                               const Laws& available);
 

@@ -439,6 +439,22 @@ bool is_differential_equation(const ExprTree& tree, const Equation& equation) {
          (std::ranges::any_of(left, is_rate) || std::ranges::any_of(right, is_rate));
 }
 
+/// "The ansatz $x = Ae^{\lambda t}$ leads to", "inserting $x = …$".
+bool speaks_of_a_trial(const std::string& sentence) {
+  const std::string text = lowered(sentence);
+  static constexpr std::array<std::string_view, 7> stems{"ansatz",    "trial", "try",  "insert",
+                                                         "substitut", "plug",  "guess"};
+  return std::ranges::any_of(words_of(text), [](std::string_view word) {
+    return std::ranges::any_of(stems, [&](std::string_view stem) { return word.starts_with(stem); });
+  });
+}
+
+/// x of `\ddot x` and `dx/dt` on the page.
+bool is_differentiated(const RowPlace& place, SymbolId letter) {
+  const NameKey* key = key_of(place.names.symbols, letter);
+  return key != nullptr && has_rate(*place.names.symbols.sightings, *key);
+}
+
 }  // namespace
 
 void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
@@ -447,10 +463,11 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
   const auto sentence = std::ranges::find(sentences, said.sentence, &ProseSentence::number);
   if (sentence == sentences.end() || sentence->asks) return;
   const bool may_name = said.cue == Cue::definition && !said.at_place;
+  const bool may_try = may_name || (said.cue == Cue::none && speaks_of_a_trial(sentence->text));
   for (const ParsedChain& chain : said.chains) {
     if (chain.sides.size() != 2 || chain.written.relations[0].kind != RelationKind::equal ||
         chain.written.condition || chain.written.doubt ||
-        !(may_name || may_speak_of_a_function(place.notes.syntax, chain)))
+        !(may_name || may_try || may_speak_of_a_function(place.notes.syntax, chain)))
       continue;
     const auto reading = read_here(place, chain);
     if (!reading->sides[0].typed || !reading->sides[1].typed || guess_of(reading->reading())) continue;
@@ -467,7 +484,8 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
     const bool names = may_name && !for_now && letter && (said.named || brings_in) &&
                        !names_coordinates(place.tree, equation) &&
                        !keeps_a_common_ending(place.tree, equation) && !names_a_surface(place, equation);
-    const bool poses = is_about_values(place, equation) ||
+    const bool tries = may_try && !for_now && letter && is_differentiated(place, *letter);
+    const bool poses = is_about_values(place, equation) || tries ||
                        (!said.at_place && is_differential_equation(place.tree, equation));
     if (!names && !poses) continue;
     const std::string words = lowered(sentence->text);

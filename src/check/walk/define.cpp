@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "base/ascii.h"
+#include "check/law/solves.h"
 #include "check/meaning/measured.h"
 #include "check/prose/denial.h"
 #include "check/row/row.h"
@@ -173,6 +175,13 @@ bool is_surface(const Walk& walk, SymbolId symbol, const ParsedChain& parsed) {
   });
 }
 
+/// x_p of "A particular solution is", where x is in an equation above.
+bool is_particular_solution(const Walk& walk, SymbolId letter) {
+  const auto of = letter_of_particular_solution(walk.names, letter);
+  const std::string lead = lowered(walk.notes.prose.beside[walk.event].lead);
+  return of && seen_in_equation(walk.names.scope, *of) && lead.find("particular") != std::string::npos;
+}
+
 }  // namespace
 
 bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side& right,
@@ -191,6 +200,7 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
       has_antiderivative(walk.tree, right.typed->id))
     return false;
   if (context.role == Role::display && is_surface(walk, definition->symbol, parsed)) return false;
+  if (context.role == Role::display && is_particular_solution(walk, definition->symbol)) return false;
   // `f(x) = 0` is solved, and is no function that is 0.
   const bool to_be_solved = walk.notes.syntax[parsed.sides[0]].kind == SyntaxKind::term &&
                             walk.tree[left.typed->id].rank == 0 && walk.tree.is_zero_literal(right.typed->id) &&
