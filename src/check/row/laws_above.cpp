@@ -449,6 +449,12 @@ bool speaks_of_a_trial(const std::string& sentence) {
   });
 }
 
+/// `Ae^{\lambda t}`, and not `\gamma mv`, which says what a momentum is.
+bool has_a_function(const ExprTree& tree, ExprId side) {
+  return std::ranges::any_of(nodes_below(tree, {side}),
+                             [&](ExprId id) { return tree[id].op == Op::function; });
+}
+
 /// x of `\ddot x` and `dx/dt` on the page.
 bool is_differentiated(const RowPlace& place, SymbolId letter) {
   const NameKey* key = key_of(place.names.symbols, letter);
@@ -484,7 +490,8 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
     const bool names = may_name && !for_now && letter && (said.named || brings_in) &&
                        !names_coordinates(place.tree, equation) &&
                        !keeps_a_common_ending(place.tree, equation) && !names_a_surface(place, equation);
-    const bool tries = may_try && !for_now && letter && is_differentiated(place, *letter);
+    const bool tries = may_try && !for_now && letter && is_differentiated(place, *letter) &&
+                       has_a_function(place.tree, equation.right);
     const bool poses = is_about_values(place, equation) || tries ||
                        (!said.at_place && is_differential_equation(place.tree, equation));
     if (!names && !poses) continue;
