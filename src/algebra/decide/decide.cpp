@@ -285,8 +285,8 @@ Decision Decider::refuted(const Refuter::Counterexample& counterexample) {
   decision.route = "exact sample";
   decision.unfolded = refuter_.reach().unfolded;
   decision.assumptions = refuter_.assumptions();
-  decision.sample =
-      limits_.simplest_sample ? refuter_.simplest(counterexample) : refuter_.to_sample(counterexample);
+  decision.sample = limits_.simplest_sample && !limits_.only_proofs ? refuter_.simplest(counterexample)
+                                                                    : refuter_.to_sample(counterexample);
   const Replay again = replay_closely(unfolded_.question(), *decision.sample);
   const bool confirmed = again.fault == Replay::Fault::none && again.differ &&
                          again.sides.left == decision.sample->left &&
@@ -341,6 +341,7 @@ Decision Decider::decide() {
     if (limits_.fewest_assumptions && !by_cases) drop_needless_assumptions(*found);
     return proved(*std::move(found));
   }
+  if (limits_.only_proofs) return undecided("no proof");
   if (const auto differs = look([this] { return refuter_.search(); })) return refuted(*differs);
   Decision open = undecided(why_open());
   open.no_real_value = no_real_value_ && refuter_.points_compared() == 0;

@@ -16,6 +16,7 @@
 #include "check/question/question.h"
 #include "check/question/question_names.h"
 #include "check/question/unread.h"
+#include "check/verdict/component_declared_alone.h"
 #include "check/verdict/counted_letter.h"
 #include "check/verdict/counterexample.h"
 #include "check/verdict/decide_by_record.h"
@@ -42,6 +43,7 @@ class Judging {
     }
     if (decision.outcome == Outcome::refuted)
       decision = where_nothing_is_divided_by_zero(std::move(decision));
+    if (limits_.only_proofs && decision.outcome != Outcome::proved) return unproved(decision);
     if (decision.outcome == Outcome::refuted) decision = where_squares_are_squares(std::move(decision));
     judgement_.route = decision.route;
     switch (decision.outcome) {
@@ -98,6 +100,15 @@ class Judging {
       if (each->origin.directive) judgement_.used.insert(*each->origin.directive);
     }
     return prepared;
+  }
+
+  /// Where only a proof counts.
+  Judgement unproved(const Decision& decision) {
+    judgement_.verdict = Verdict::undecided;
+    add(DiagnosticKind::undecided, "no proof was found");
+    prove_with_unit_matrix();
+    note_uses(decision);
+    return std::move(judgement_);
   }
 
   /// What only a derivative of an assumption shows is looked for as well, before a claim is given up or
@@ -266,7 +277,7 @@ class Judging {
       judgement_.exists_under.assign(
           assumptions.begin() + static_cast<std::ptrdiff_t>(*prepared_.exists_under), assumptions.end());
     }
-    if (first_order_) note_neglected();
+    if (first_order_ && !limits_.only_proofs) note_neglected();
     const bool zero_written =
         tree_.is_zero_literal(claim_.equation.left) || tree_.is_zero_literal(claim_.equation.right);
     if (!decision.vanishes || zero_written) return;
@@ -406,22 +417,29 @@ class Judging {
     return true;
   }
 
-  /// The letters can be something else than real numbers.
-  void heed_other_reading() {
-    const bool proved = judgement_.verdict == Verdict::proved;
+  [[nodiscard]] Question as_written() const {
     Question asked = prepared_.question;
     asked.tree = &tree_;
     asked.claim = claim_.equation;
-    if (!proved && holds_with_unit_matrix(asked, names_)) {
-      judgement_.verdict = Verdict::proved;
-      judgement_.route = "products in their order, with 1 for the unit matrix";
-      judgement_.of_another_question = true;
-      judgement_.counterexample.reset();
-      judgement_.diagnostics.clear();
-      return;
-    }
+    return asked;
+  }
+
+  bool prove_with_unit_matrix() {
+    if (!holds_with_unit_matrix(as_written(), names_)) return false;
+    judgement_.verdict = Verdict::proved;
+    judgement_.route = "products in their order, with 1 for the unit matrix";
+    judgement_.of_another_question = true;
+    judgement_.counterexample.reset();
+    judgement_.diagnostics.clear();
+    return true;
+  }
+
+  /// The letters can be something else than real numbers.
+  void heed_other_reading() {
+    const bool proved = judgement_.verdict == Verdict::proved;
+    if (!proved && prove_with_unit_matrix()) return;
     if (!proved && judgement_.verdict != Verdict::refuted) return;
-    auto other = other_reading(asked, names_, proved);
+    auto other = other_reading(as_written(), names_, proved);
     if (!other) return;
     judgement_.verdict = Verdict::not_understood;
     judgement_.route.clear();
@@ -455,33 +473,6 @@ class Judging {
     return !claim_.derived_by.empty() ||
            std::ranges::any_of(symbols_in(tree_, claim_.equation.left), is_integral) ||
            std::ranges::any_of(symbols_in(tree_, claim_.equation.right), is_integral);
-  }
-
-  /// `scalar I_1` together with `I_{ij} = I_i\delta_{ij}`: two symbols to us, and perhaps one to the author.
-  std::optional<std::pair<std::string, std::string>> component_declared_alone() const {
-    std::set<SymbolId> reached;
-    const auto reach = [&](ExprId side) {
-      for (const SymbolId symbol : symbols_in(tree_, side)) reached.insert(symbol);
-    };
-    for (const ExprId side : {claim_.equation.left, claim_.equation.right}) reach(side);
-    for (const Definition& definition : prepared_.question.definitions) reach(definition.body);
-    for (const Equation& assumption : prepared_.question.assumptions) {
-      reach(assumption.left);
-      reach(assumption.right);
-    }
-    for (const SymbolId vector : reached) {
-      if (tree_.symbols[vector].rank != 1 || tree_.symbols[vector].per_particle) continue;
-      const std::string& name = tree_.symbols[vector].name;
-      for (const SymbolId number : reached) {
-        const Symbol& alone = tree_.symbols[number];
-        const bool component =
-            alone.rank == 0 && alone.declared && !alone.derivation &&
-            (alone.name == bare_name(name) + "_{1}" || alone.name == bare_name(name) + "_{2}" ||
-             alone.name == bare_name(name) + "_{3}");
-        if (component) return std::pair(alone.name, name);
-      }
-    }
-    return std::nullopt;
   }
 
   /// Why the way in which it was read is only a guess, if its other reading is not asked as well.
@@ -519,12 +510,12 @@ class Judging {
     if (!claim_.for_all && relates_different_averages(tree_, prepared_, cache_))
       return state_law_of(averages_of(prepared_.question));
     if (claim_.doubt != nullptr && relates_the_same_letters()) return doubted();
-    if (const auto both = component_declared_alone()) {
+    if (const auto both = component_declared_alone(as_written())) {
       judgement_.verdict = Verdict::not_understood;
       add(DiagnosticKind::ambiguous_reading,
           fmt::format("`{}` is declared as a number of its own, and can be meant as a component of `{}`",
-                      both->first, both->second),
-          {fmt::format("without a declaration of `{}` it is the component", both->first)});
+                      both->component, both->vector),
+          {fmt::format("without a declaration of `{}` it is the component", both->component)});
       return;
     }
     if (claim_.recorded == nullptr && speaks_of_averages(tree_, prepared_))

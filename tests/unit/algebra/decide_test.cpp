@@ -135,3 +135,23 @@ TEST_CASE("symbols taken as zero are zero in samples and in proofs", "[algebra]"
   page.define(c, 2 * a);
   CHECK(is_proved(page.claim(b + c, b)));
 }
+
+TEST_CASE("where only proofs count, what fails takes no search for a sample", "[algebra]") {
+  const auto work_of = [](const Question& question, bool only_proofs) {
+    Budget budget;
+    Limits limits{.budget = &budget};
+    limits.only_proofs = only_proofs;
+    CHECK(decide(question, limits).outcome != Outcome::proved);
+    return budget.used();
+  };
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named c = page.vector("C");
+  const Question wrong = page.claim(cross(a, cross(b, c)), b * dot(a, c) + c * dot(a, b));
+  CHECK(10 * work_of(wrong, true) < work_of(wrong, false));
+  Limits limits;
+  limits.only_proofs = true;
+  const Question right = page.claim(cross(a, cross(b, c)), b * dot(a, c) - c * dot(a, b));
+  CHECK(decide(right, limits).outcome == Outcome::proved);
+}

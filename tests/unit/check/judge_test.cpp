@@ -44,14 +44,15 @@ struct Court {
     return result;
   }
 
-  Judgement judge(const std::string& statement) {
+  Judgement judge(const std::string& statement, const Limits& limits = {}) {
     const Elaborated claim = elaborate(statement);
     return rigor::judge(tree, names,
                         {.equation = claim.equation,
                          .relation = claim.written.relations.at(0).span,
                          .left = claim.written.sides.at(0).span,
                          .right = claim.written.sides.at(1).span,
-                         .reading = claim.reading.get()});
+                         .reading = claim.reading.get()},
+                        limits);
   }
 
   void given(const std::string& statement, std::size_t directive) {
@@ -251,4 +252,18 @@ TEST_CASE("a component that is declared as a number of its own is not refuted") 
   CHECK(
       verdict_on("I_{11} = I_1", rigor_says("scalar I_1, I_2, I_3") + tensor).starts_with("not-understood"));
   CHECK_FALSE(verdict_on("I_{11} = 2I_1", tensor) == "proved");
+}
+
+TEST_CASE("where only proofs count, what is not proved is not weighed") {
+  Limits limits;
+  limits.only_proofs = true;
+  Court court;
+  CHECK(court.judge("\\mathbf{A}\\times\\mathbf{B} = -\\mathbf{B}\\times\\mathbf{A}", limits).verdict ==
+        Verdict::proved);
+  const std::string wrong = "\\mathbf{A}\\times\\mathbf{B} = \\mathbf{B}\\times\\mathbf{A}";
+  CHECK(court.judge(wrong).verdict == Verdict::refuted);
+  const Judgement judgement = court.judge(wrong, limits);
+  CHECK(judgement.verdict == Verdict::undecided);
+  CHECK_FALSE(judgement.counterexample);
+  CHECK_FALSE(judgement.sample);
 }
