@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "algebra/decide/decide.h"
 #include "base/among.h"
 #include "check/meaning/divisors.h"
+#include "check/meaning/function_values.h"
 #include "check/meaning/identity_reading.h"
 #include "check/meaning/negative_squares.h"
 #include "check/meaning/sign_doubt.h"
@@ -24,7 +26,6 @@
 #include "check/verdict/other_reading.h"
 #include "check/verdict/rational_expression.h"
 #include "check/verdict/two_outcomes.h"
-#include "elaborate/name/function_value.h"
 
 namespace rigor {
 namespace {
@@ -35,14 +36,7 @@ class Judging {
       : tree_(tree), names_(names), claim_(claim), limits_(limits), cache_(cache) {}
 
   Judgement judge() {
-    Decision decision = decide_order(0);
-    if (claim_.nearly && decision.outcome == Outcome::proved) {
-      first_order_ = true;
-      decision = decide_order(1);
-      decision.vanishes = false;
-    }
-    if (decision.outcome == Outcome::refuted)
-      decision = where_nothing_is_divided_by_zero(std::move(decision));
+    Decision decision = decide_orders();
     if (limits_.only_proofs && decision.outcome != Outcome::proved) return unproved(decision);
     if (decision.outcome == Outcome::refuted) decision = where_squares_are_squares(std::move(decision));
     judgement_.route = decision.route;
@@ -111,6 +105,31 @@ class Judging {
     return std::move(judgement_);
   }
 
+  /// First-order parts differ more often; they are asked first where nobody asks which part differs.
+  Decision decide_orders() {
+    if (!claim_.nearly) return decide_without_zero_divisors(0);
+    first_order_ = limits_.only_proofs;
+    Decision decision = decide_without_zero_divisors(first_order_ ? 1 : 0);
+    if (decision.outcome != Outcome::proved) return decision;
+    Prepared of_first_order = std::exchange(prepared_, {});
+    first_order_ = !first_order_;
+    Decision other = decide_without_zero_divisors(first_order_ ? 1 : 0);
+    if (first_order_ || other.outcome != Outcome::proved) {
+      decision = std::move(other);
+    } else {
+      prepared_ = std::move(of_first_order);
+    }
+    first_order_ = true;
+    decision.vanishes = false;
+    return decision;
+  }
+
+  Decision decide_without_zero_divisors(int order) {
+    Decision decision = decide_order(order);
+    return decision.outcome == Outcome::refuted ? where_nothing_is_divided_by_zero(std::move(decision))
+                                                : decision;
+  }
+
   /// What only a derivative of an assumption shows is looked for as well, before a claim is given up or
   /// refuted.
   Decision decide_order(int order) {
@@ -119,11 +138,18 @@ class Judging {
     const bool asks_again = speaks_of_derivatives(prepared_);
     Decision decision = decide_prepared(!asks_again);
     if (decision.outcome == Outcome::proved || !asks_again) return decision;
-    prepared_ = prepare(1, precision, order);
-    return decide_prepared(true);
+    const Question asked = std::exchange(prepared_, prepare(1, precision, order)).question;
+    return limits_.only_proofs && has_as_many_parts(asked) ? decision : decide_prepared(true);
   }
 
-  /// Unless it is the last word, any sample will do.
+  /// Derivatives only add to a question.
+  [[nodiscard]] bool has_as_many_parts(const Question& asked) const {
+    const Question& now = prepared_.question;
+    return asked.assumptions.size() == now.assumptions.size() &&
+           asked.definitions.size() == now.definitions.size() && asked.zeroed.size() == now.zeroed.size();
+  }
+
+  /// Unless it is the last word, nobody asks what refutes it.
   Decision decide_prepared(bool last) {
     for (const Origin* definition : prepared_.definitions) mark_used(*definition);
     if (prepared_.too_large) {
@@ -132,7 +158,7 @@ class Judging {
       return open;
     }
     Limits limits = limits_;
-    limits.simplest_sample = limits.simplest_sample && last;
+    limits.only_proofs = limits.only_proofs || !last;
     Decision decision = answers_by_record() ? decide_by_record(prepared_, claim_.swapped, *claim_.recorded)
                                             : decide(cache_, prepared_.question, limits);
     for (const std::size_t which : decision.assumptions) {
@@ -480,16 +506,6 @@ class Judging {
     return claim_.in_both_readings ? lasting_guess_of(*claim_.reading) : guess_of(*claim_.reading);
   }
 
-  /// `\sqrt{x^2} = -x`: beside a condition this is an identity for a case, and no law.
-  [[nodiscard]] bool relates_the_same_letters() {
-    prepared_.question.tree = &tree_;
-    const auto letters_of = [&](ExprId side) {
-      const std::vector<SymbolId> letters = primitive_symbols(prepared_.question, side);
-      return std::set<SymbolId>(letters.begin(), letters.end());
-    };
-    return letters_of(claim_.equation.left) == letters_of(claim_.equation.right);
-  }
-
   /// It fails as it was read, and that is a guess, or holds in a case only.
   void doubted() {
     const std::optional<Obstacle> of_reading = own_guess();
@@ -509,7 +525,8 @@ class Judging {
     if (own_guess() || claim_.alternative) return doubted();
     if (!claim_.for_all && relates_different_averages(tree_, prepared_, cache_))
       return state_law_of(averages_of(prepared_.question));
-    if (claim_.doubt != nullptr && relates_the_same_letters()) return doubted();
+    // `\sqrt{x^2} = -x`: beside a condition this is an identity for a case, and no law.
+    if (claim_.doubt != nullptr && relates_the_same_letters(as_written())) return doubted();
     if (const auto both = component_declared_alone(as_written())) {
       judgement_.verdict = Verdict::not_understood;
       add(DiagnosticKind::ambiguous_reading,
@@ -563,7 +580,7 @@ class Judging {
           "it was found to fail only where the logarithm that is differentiated may have no value");
       return;
     }
-    if (speaks_of_values()) {
+    if (speaks_of_values(prepared_.question, names_)) {
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided,
           "it was found to fail only where values of a function are taken as any numbers");
@@ -609,19 +626,6 @@ class Judging {
     if (law.empty()) return;
     state_law_of(law);
     judgement_.diagnostics.clear();
-  }
-
-  /// `f(2x)` and `f(x + x)` are two symbols to us; `\omega(k + q)` of `\omega(k) = ck` can be a product.
-  [[nodiscard]] bool speaks_of_values() const {
-    const std::vector<Definition>& known = prepared_.question.definitions;
-    const auto& values = names_.symbols.function_values;
-    const auto is_plain = [&](ExprId at) { return tree_[at].op == Op::symbol || tree_[at].op == Op::number; };
-    return std::ranges::any_of(symbols_of(prepared_.question), [&](SymbolId symbol) {
-      const auto value = values.find(base_of(tree_.symbols, symbol));
-      if (value == nullptr) return false;
-      const bool is_known = std::ranges::find(known, symbol, &Definition::symbol) != known.end();
-      return !is_known || !std::ranges::all_of(value->second.at, is_plain);
-    });
   }
 
   /// An assumption could not be read, or not all that it says was looked at: it may make the claim true.

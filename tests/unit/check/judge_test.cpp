@@ -254,6 +254,16 @@ TEST_CASE("a component that is declared as a number of its own is not refuted") 
   CHECK_FALSE(verdict_on("I_{11} = 2I_1", tensor) == "proved");
 }
 
+TEST_CASE(
+    "where sides are nearly equal only if a divisor is not 0, their first-order parts are asked as well") {
+  const Checked checked(rigor_says("scalar a, b, d, p, q, r, e") + rigor_says("small e") +
+                        rigor_says("let a = \\frac{b}{d}") + rigor_says("given d p = d q") +
+                        rigor_says("for all p, q, r, e, d") + "$$p \\approx q + er$$\n\n$$p \\approx q$$");
+  const std::size_t count = checked.report.steps.size();
+  CHECK(checked.report.steps.at(count - 2).verdict == Verdict::refuted);
+  CHECK(checked.report.steps.at(count - 1).verdict == Verdict::proved);
+}
+
 TEST_CASE("where only proofs count, what is not proved is not weighed") {
   Limits limits;
   limits.only_proofs = true;
