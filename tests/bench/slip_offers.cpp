@@ -139,7 +139,9 @@ class FileOfRows {
   Answer answer_to(Reread& row) {
     if (!row.claim) return Answer::unread;
     cache_.begin(default_effort);
-    const Judgement judgement = judge(row.tree, row.names, *row.claim, limits_of_candidates, &cache_);
+    Limits limits = limits_of_candidates;
+    limits.only_proofs = false;
+    const Judgement judgement = judge(row.tree, row.names, *row.claim, limits, &cache_);
     switch (judgement.verdict) {
       case Verdict::proved:
         return Answer::proved;

@@ -6,12 +6,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "algebra/decide/prove.h"
 #include "algebra/decide/sign_cases.h"
 #include "algebra/parts/complex_sample.h"
+#include "algebra/rough/rough_screen.h"
 #include "algebra/sample/refute.h"
 #include "algebra/words/operator_question.h"
 
@@ -96,6 +99,7 @@ class Decider {
   [[nodiscard]] std::optional<std::string> why_not_tried() const;
   template <class Search>
   [[nodiscard]] std::optional<Refuter::Counterexample> look(const Search& search);
+  [[nodiscard]] bool fails_roughly(std::span<const std::size_t> assumptions);
   [[nodiscard]] bool needs_definitions();
   [[nodiscard]] std::vector<std::vector<std::size_t>> choices_of_assumptions();
   [[nodiscard]] std::optional<Found> try_all_proofs(Effort effort);
@@ -113,6 +117,7 @@ class Decider {
   Scope opaque_;
   Refuter refuter_;
   Work work_;
+  std::optional<RoughScreen> rough_;  // under the assumptions that bear on the claim
   std::optional<bool> needs_definitions_;
   std::string gave_up_;         // the reason why the last proof was broken off
   bool no_real_value_ = false;  // a proof met a root of what is negative
@@ -169,6 +174,13 @@ bool Decider::needs_definitions() {
   return *needs_definitions_;
 }
 
+/// Does the claim clearly fail where these of its assumptions hold? Then a proof from them is not worth
+/// trying.
+bool Decider::fails_roughly(std::span<const std::size_t> assumptions) {
+  if (!rough_) rough_.emplace(unfolded_, refuter_.assumptions(), limits_.budget);
+  return rough_->fails_under(assumptions);
+}
+
 /// Which assumptions are tried together, the fewest first.
 std::vector<std::vector<std::size_t>> Decider::choices_of_assumptions() {
   std::vector<std::vector<std::size_t>> choices;
@@ -184,6 +196,8 @@ std::vector<std::vector<std::size_t>> Decider::choices_of_assumptions() {
 std::optional<Found> Decider::try_all_proofs(Effort effort) {
   const bool has_definitions = !refuter_.reach().unfolded.empty();
   for (const std::vector<std::size_t>& assumptions : choices_of_assumptions()) {
+    const bool fewer = !assumptions.empty() && assumptions.size() < refuter_.assumptions().size();
+    if (fewer && fails_roughly(assumptions)) continue;
     const Attempt attempt{.effort = effort, .assumptions = assumptions};
     const bool opaque = !has_definitions || !needs_definitions();
     bool finished = !opaque;
@@ -244,6 +258,7 @@ void Decider::drop_needless_assumptions(Found& found) {
       std::min(limits.expanded_terms, static_cast<std::uint32_t>(found.cost.terms) + least_terms);
   Work work;
   const auto keep = [&](std::vector<std::size_t> assumptions) {
+    if (fails_roughly(assumptions)) return false;
     const Attempt fewer{.effort = found.under.effort, .assumptions = std::move(assumptions)};
     try {
       Trial trial = prove(found.unfolded ? unfolded_ : opaque_, fewer, limits, work);
@@ -285,8 +300,8 @@ Decision Decider::refuted(const Refuter::Counterexample& counterexample) {
   decision.route = "exact sample";
   decision.unfolded = refuter_.reach().unfolded;
   decision.assumptions = refuter_.assumptions();
-  decision.sample =
-      limits_.simplest_sample ? refuter_.simplest(counterexample) : refuter_.to_sample(counterexample);
+  decision.sample = limits_.simplest_sample && !limits_.only_proofs ? refuter_.simplest(counterexample)
+                                                                    : refuter_.to_sample(counterexample);
   const Replay again = replay_closely(unfolded_.question(), *decision.sample);
   const bool confirmed = again.fault == Replay::Fault::none && again.differ &&
                          again.sides.left == decision.sample->left &&
@@ -323,9 +338,14 @@ std::optional<Refuter::Counterexample> Decider::look(const Search& search) {
 
 Decision Decider::decide() {
   if (auto reason = why_not_tried()) return undecided(*std::move(reason));
+  if (limits_.only_proofs && !refuter_.assumptions().empty() && fails_roughly(refuter_.assumptions()))
+    return undecided("it fails where its assumptions hold");
   if (const auto differs = look([this] { return refuter_.quick_look(); })) return refuted(*differs);
   if (refuter_.is_constant() && refuter_.points_compared() > 0) return proved_by_value();
-  auto found = try_all_proofs(Effort::plain);
+  // The reason why a proof failed is told beside a sample only.
+  const bool hopeless = !limits_.simplest_sample && !refuter_.assumptions().empty() &&
+                        refuter_.points_compared() == 0 && fails_roughly(refuter_.assumptions());
+  auto found = hopeless ? std::nullopt : try_all_proofs(Effort::plain);
   if (!found && last_trial_.radicals) found = try_all_proofs(Effort::factored);
   const bool by_cases = !found && last_trial_.radicals && limits_.sign_cases;
   if (by_cases) found = try_cases_of_signs();
@@ -341,6 +361,7 @@ Decision Decider::decide() {
     if (limits_.fewest_assumptions && !by_cases) drop_needless_assumptions(*found);
     return proved(*std::move(found));
   }
+  if (limits_.only_proofs) return undecided("no proof");
   if (const auto differs = look([this] { return refuter_.search(); })) return refuted(*differs);
   Decision open = undecided(why_open());
   open.no_real_value = no_real_value_ && refuter_.points_compared() == 0;

@@ -16,6 +16,7 @@ struct Limits {
   std::uint32_t sample_attempts = 400;
   bool fewest_assumptions = true;  // assumptions that a proof does not need are dropped from it
   bool simplest_sample = true;     // a refutation's sample gets small numbers, fit for a blackboard
+  bool only_proofs = false;        // nobody asks what refutes: after the proofs no sample is searched for
   bool sign_cases = true;          // a root of what is negative has no value; not so beside complex numbers
   Budget* budget = nullptr;        // shared by all questions about a step; none: each has its own
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The value of an expression, in components: written once, for numbers of any kind. A value of rank r is an
 // array of 3^r numbers, row by row. The kinds are exact rationals (`sample_evaluator.h`), rational
-// functions at the generic point (`generic_evaluator.h`) and doubles with slopes (`rough_screen.cpp`). A kind
+// functions at the generic point (`generic_evaluator.h`) and programs of doubles (`rough_program.h`). A kind
 // is a class Domain with
 //
 //   Number                                        copyable; Number{} is 0

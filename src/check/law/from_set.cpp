@@ -10,7 +10,7 @@
 #include <ranges>
 #include <set>
 
-#include "algebra/sample/rough_screen.h"
+#include "algebra/rough/rough_screen.h"
 #include "base/among.h"
 #include "check/law/bearing.h"
 #include "check/law/states.h"
@@ -32,7 +32,7 @@ constexpr Limits limits_of_sets{
 /// Whether a set proves the row is asked with hardly a look at samples: most sets do not, and a sample that
 /// meets a set is dear.
 constexpr Limits limits_of_proofs{
-    .expanded_terms = 20'000, .steps = 200'000, .sample_attempts = 1, .simplest_sample = false};
+    .expanded_terms = 20'000, .steps = 200'000, .sample_attempts = 1, .only_proofs = true};
 /// More letters that must not vanish would only slow the proof down.
 constexpr std::size_t most_not_zero = 6;
 
@@ -340,8 +340,7 @@ std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, 
   for (const int slack : {0, 1}) {
     const Prepared prepared = prepare(row, names, slack);
     if (prepared.too_large) return std::nullopt;
-    const bool hopeless = fails_at_rough_points(prepared.question, budget_of(row));
-    const Decision decision = hopeless ? Decision() : decide(row.cache, prepared.question, limits_of_proofs);
+    const Decision decision = decide(row.cache, prepared.question, limits_of_proofs);
     if (decision.outcome == Outcome::proved) {
       std::vector<std::string> used;
       for (std::size_t k = 0; k < prepared.definitions.size(); ++k) {

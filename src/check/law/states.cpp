@@ -19,7 +19,7 @@ namespace rigor {
 namespace {
 
 constexpr Limits limits_of_states{
-    .expanded_terms = 20'000, .steps = 200'000, .sample_attempts = 1, .simplest_sample = false};
+    .expanded_terms = 20'000, .steps = 200'000, .sample_attempts = 1, .only_proofs = true};
 constexpr Limits limits_of_witness{
     .expanded_terms = 20'000, .steps = 200'000, .sample_attempts = 24, .simplest_sample = false};
 constexpr std::size_t most_coordinates = 4;

@@ -334,4 +334,12 @@ std::vector<SymbolId> law_symbols(const Question& question, const NameScope& sco
   return {};
 }
 
+bool relates_the_same_letters(const Question& question) {
+  const auto letters_of = [&](ExprId side) {
+    const std::vector<SymbolId> letters = primitive_symbols(question, side);
+    return std::set<SymbolId>(letters.begin(), letters.end());
+  };
+  return letters_of(question.claim.left) == letters_of(question.claim.right);
+}
+
 }  // namespace rigor

@@ -47,4 +47,7 @@ struct SignedTerm {
 /// the end.
 [[nodiscard]] std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root);
 
+/// Do both sides of the claim lead to the same symbols in the end?
+[[nodiscard]] bool relates_the_same_letters(const Question& question);
+
 }  // namespace rigor

@@ -28,10 +28,10 @@ struct SavedAnswers {
 template <class Archive>
 void fields(Archive& archive, Limits& limits) {
   auto& [expanded_terms, steps, quick_points, quick_steps, sample_attempts, fewest_assumptions,
-         simplest_sample, sign_cases, budget] = limits;
+         simplest_sample, only_proofs, sign_cases, budget] = limits;
   static_cast<void>(budget);
   archive(expanded_terms, steps, quick_points, quick_steps, sample_attempts, fewest_assumptions,
-          simplest_sample, sign_cases);
+          simplest_sample, only_proofs, sign_cases);
 }
 
 template <class Archive>

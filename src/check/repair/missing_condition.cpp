@@ -18,14 +18,6 @@
 namespace rigor {
 namespace {
 
-/// Only proofs count: samples need not be fit for a blackboard. A sum of many terms asks of each whether it
-/// vanishes.
-constexpr Limits limits_of_conditions = [] {
-  Limits limits = limits_of_guesses;
-  limits.simplest_sample = false;
-  return limits;
-}();
-
 constexpr std::size_t most_tried = 40;
 
 /// A condition as LaTeX; small: the step is to hold to first order in it.
@@ -261,9 +253,9 @@ class ConditionSearch {
 
   bool holds_given(const std::string& latex) {
     if (!assume(latex)) return false;
-    const Judgement judgement = judge(tree_, names_, *claim_, limits_of_conditions, cache_);
+    const Judgement judgement = judge(tree_, names_, *claim_, limits_of_guesses, cache_);
     return says_something(judgement) && !(with_all_terms_ && makes_a_term_vanish()) &&
-           sample_of_assumptions(tree_, names_, {}, limits_of_conditions, cache_).has_value();
+           sample_of_assumptions(tree_, names_, {}, limits_of_guesses, cache_).has_value();
   }
 
   /// Who means `\mathbf{A}\cdot\mathbf{B} = 0` does not write `\mathbf{C}(\mathbf{A}\cdot\mathbf{B})`.
@@ -273,7 +265,7 @@ class ConditionSearch {
       Claim claim = *claim_;
       claim.equation.left = term;
       claim.equation.right = zero_of_rank(tree_, tree_[term].span, tree_[term].rank, tree_[term].axes);
-      return judge(tree_, names_, claim, limits_of_conditions, cache_).verdict == Verdict::proved;
+      return judge(tree_, names_, claim, limits_of_guesses, cache_).verdict == Verdict::proved;
     };
     return std::ranges::any_of(std::array{claim_->equation.left, claim_->equation.right}, [&](ExprId side) {
       if (tree_[side].op != Op::add) return false;
@@ -293,14 +285,14 @@ class ConditionSearch {
     declare_small(names_.scope, {.quantity = reading->sides[0].typed->id});
     Claim nearly = *claim_;
     nearly.nearly = true;
-    return says_something(judge(tree_, names_, nearly, limits_of_conditions, cache_));
+    return says_something(judge(tree_, names_, nearly, limits_of_guesses, cache_));
   }
 
   /// Where both sides are proportional to what is small, it says nothing.
   bool vanishes_without(SymbolId symbol) {
     Question question = prepare(tree_, names_, claim_->equation).question;
     question.zeroed.push_back(symbol);
-    const Decision decision = decide(cache_, question, limits_of_conditions);
+    const Decision decision = decide(cache_, question, limits_of_guesses);
     return decision.outcome != Outcome::proved || decision.vanishes;
   }
 

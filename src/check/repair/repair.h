@@ -27,7 +27,8 @@ inline constexpr Limits limits_of_guesses{.expanded_terms = 3'000,
                                           .quick_points = 2,
                                           .quick_steps = 4'000,
                                           .sample_attempts = 12,
-                                          .fewest_assumptions = false};
+                                          .fewest_assumptions = false,
+                                          .only_proofs = true};
 
 /// For the proof of a neighbour; that of a typical step takes a hundredth of this.
 inline constexpr Limits limits_of_candidates{.expanded_terms = 10'000,
@@ -35,7 +36,8 @@ inline constexpr Limits limits_of_candidates{.expanded_terms = 10'000,
                                              .quick_points = 2,
                                              .quick_steps = 4'000,
                                              .sample_attempts = 12,
-                                             .fewest_assumptions = false};
+                                             .fewest_assumptions = false,
+                                             .only_proofs = true};
 
 /// Is a claim that takes this slip back true? Then what that rests on. The tree and the names are copies that
 /// have grown by what was read, so what was read before is in them as well.

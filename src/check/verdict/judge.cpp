@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "algebra/decide/decide.h"
 #include "base/among.h"
 #include "check/meaning/divisors.h"
+#include "check/meaning/function_values.h"
 #include "check/meaning/identity_reading.h"
 #include "check/meaning/negative_squares.h"
 #include "check/meaning/sign_doubt.h"
@@ -16,6 +18,7 @@
 #include "check/question/question.h"
 #include "check/question/question_names.h"
 #include "check/question/unread.h"
+#include "check/verdict/component_declared_alone.h"
 #include "check/verdict/counted_letter.h"
 #include "check/verdict/counterexample.h"
 #include "check/verdict/decide_by_record.h"
@@ -23,7 +26,6 @@
 #include "check/verdict/other_reading.h"
 #include "check/verdict/rational_expression.h"
 #include "check/verdict/two_outcomes.h"
-#include "elaborate/name/function_value.h"
 
 namespace rigor {
 namespace {
@@ -34,14 +36,8 @@ class Judging {
       : tree_(tree), names_(names), claim_(claim), limits_(limits), cache_(cache) {}
 
   Judgement judge() {
-    Decision decision = decide_order(0);
-    if (claim_.nearly && decision.outcome == Outcome::proved) {
-      first_order_ = true;
-      decision = decide_order(1);
-      decision.vanishes = false;
-    }
-    if (decision.outcome == Outcome::refuted)
-      decision = where_nothing_is_divided_by_zero(std::move(decision));
+    Decision decision = decide_orders();
+    if (limits_.only_proofs && decision.outcome != Outcome::proved) return unproved(decision);
     if (decision.outcome == Outcome::refuted) decision = where_squares_are_squares(std::move(decision));
     judgement_.route = decision.route;
     switch (decision.outcome) {
@@ -100,6 +96,40 @@ class Judging {
     return prepared;
   }
 
+  /// Where only a proof counts.
+  Judgement unproved(const Decision& decision) {
+    judgement_.verdict = Verdict::undecided;
+    add(DiagnosticKind::undecided, "no proof was found");
+    prove_with_unit_matrix();
+    note_uses(decision);
+    return std::move(judgement_);
+  }
+
+  /// First-order parts differ more often; they are asked first where nobody asks which part differs.
+  Decision decide_orders() {
+    if (!claim_.nearly) return decide_without_zero_divisors(0);
+    first_order_ = limits_.only_proofs;
+    Decision decision = decide_without_zero_divisors(first_order_ ? 1 : 0);
+    if (decision.outcome != Outcome::proved) return decision;
+    Prepared of_first_order = std::exchange(prepared_, {});
+    first_order_ = !first_order_;
+    Decision other = decide_without_zero_divisors(first_order_ ? 1 : 0);
+    if (first_order_ || other.outcome != Outcome::proved) {
+      decision = std::move(other);
+    } else {
+      prepared_ = std::move(of_first_order);
+    }
+    first_order_ = true;
+    decision.vanishes = false;
+    return decision;
+  }
+
+  Decision decide_without_zero_divisors(int order) {
+    Decision decision = decide_order(order);
+    return decision.outcome == Outcome::refuted ? where_nothing_is_divided_by_zero(std::move(decision))
+                                                : decision;
+  }
+
   /// What only a derivative of an assumption shows is looked for as well, before a claim is given up or
   /// refuted.
   Decision decide_order(int order) {
@@ -108,11 +138,18 @@ class Judging {
     const bool asks_again = speaks_of_derivatives(prepared_);
     Decision decision = decide_prepared(!asks_again);
     if (decision.outcome == Outcome::proved || !asks_again) return decision;
-    prepared_ = prepare(1, precision, order);
-    return decide_prepared(true);
+    const Question asked = std::exchange(prepared_, prepare(1, precision, order)).question;
+    return limits_.only_proofs && has_as_many_parts(asked) ? decision : decide_prepared(true);
   }
 
-  /// Unless it is the last word, any sample will do.
+  /// Derivatives only add to a question.
+  [[nodiscard]] bool has_as_many_parts(const Question& asked) const {
+    const Question& now = prepared_.question;
+    return asked.assumptions.size() == now.assumptions.size() &&
+           asked.definitions.size() == now.definitions.size() && asked.zeroed.size() == now.zeroed.size();
+  }
+
+  /// Unless it is the last word, nobody asks what refutes it.
   Decision decide_prepared(bool last) {
     for (const Origin* definition : prepared_.definitions) mark_used(*definition);
     if (prepared_.too_large) {
@@ -121,7 +158,7 @@ class Judging {
       return open;
     }
     Limits limits = limits_;
-    limits.simplest_sample = limits.simplest_sample && last;
+    limits.only_proofs = limits.only_proofs || !last;
     Decision decision = answers_by_record() ? decide_by_record(prepared_, claim_.swapped, *claim_.recorded)
                                             : decide(cache_, prepared_.question, limits);
     for (const std::size_t which : decision.assumptions) {
@@ -265,7 +302,7 @@ class Judging {
       judgement_.exists_under.assign(
           assumptions.begin() + static_cast<std::ptrdiff_t>(*prepared_.exists_under), assumptions.end());
     }
-    if (first_order_) note_neglected();
+    if (first_order_ && !limits_.only_proofs) note_neglected();
     const bool zero_written =
         tree_.is_zero_literal(claim_.equation.left) || tree_.is_zero_literal(claim_.equation.right);
     if (!decision.vanishes || zero_written) return;
@@ -403,22 +440,29 @@ class Judging {
     return true;
   }
 
-  /// The letters can be something else than real numbers.
-  void heed_other_reading() {
-    const bool proved = judgement_.verdict == Verdict::proved;
+  [[nodiscard]] Question as_written() const {
     Question asked = prepared_.question;
     asked.tree = &tree_;
     asked.claim = claim_.equation;
-    if (!proved && holds_with_unit_matrix(asked, names_)) {
-      judgement_.verdict = Verdict::proved;
-      judgement_.route = "products in their order, with 1 for the unit matrix";
-      judgement_.of_another_question = true;
-      judgement_.counterexample.reset();
-      judgement_.diagnostics.clear();
-      return;
-    }
+    return asked;
+  }
+
+  bool prove_with_unit_matrix() {
+    if (!holds_with_unit_matrix(as_written(), names_)) return false;
+    judgement_.verdict = Verdict::proved;
+    judgement_.route = "products in their order, with 1 for the unit matrix";
+    judgement_.of_another_question = true;
+    judgement_.counterexample.reset();
+    judgement_.diagnostics.clear();
+    return true;
+  }
+
+  /// The letters can be something else than real numbers.
+  void heed_other_reading() {
+    const bool proved = judgement_.verdict == Verdict::proved;
+    if (!proved && prove_with_unit_matrix()) return;
     if (!proved && judgement_.verdict != Verdict::refuted) return;
-    auto other = other_reading(asked, names_, proved);
+    auto other = other_reading(as_written(), names_, proved);
     if (!other) return;
     judgement_.verdict = Verdict::not_understood;
     judgement_.route.clear();
@@ -454,46 +498,9 @@ class Judging {
            std::ranges::any_of(symbols_in(tree_, claim_.equation.right), is_integral);
   }
 
-  /// `scalar I_1` together with `I_{ij} = I_i\delta_{ij}`: two symbols to us, and perhaps one to the author.
-  std::optional<std::pair<std::string, std::string>> component_declared_alone() const {
-    std::set<SymbolId> reached;
-    const auto reach = [&](ExprId side) {
-      for (const SymbolId symbol : symbols_in(tree_, side)) reached.insert(symbol);
-    };
-    for (const ExprId side : {claim_.equation.left, claim_.equation.right}) reach(side);
-    for (const Definition& definition : prepared_.question.definitions) reach(definition.body);
-    for (const Equation& assumption : prepared_.question.assumptions) {
-      reach(assumption.left);
-      reach(assumption.right);
-    }
-    for (const SymbolId vector : reached) {
-      if (tree_.symbols[vector].rank != 1 || tree_.symbols[vector].per_particle) continue;
-      const std::string& name = tree_.symbols[vector].name;
-      for (const SymbolId number : reached) {
-        const Symbol& alone = tree_.symbols[number];
-        const bool component =
-            alone.rank == 0 && alone.declared && !alone.derivation &&
-            (alone.name == bare_name(name) + "_{1}" || alone.name == bare_name(name) + "_{2}" ||
-             alone.name == bare_name(name) + "_{3}");
-        if (component) return std::pair(alone.name, name);
-      }
-    }
-    return std::nullopt;
-  }
-
   /// Why the way in which it was read is only a guess, if its other reading is not asked as well.
   [[nodiscard]] std::optional<Obstacle> own_guess() const {
     return claim_.in_both_readings ? lasting_guess_of(*claim_.reading) : guess_of(*claim_.reading);
-  }
-
-  /// `\sqrt{x^2} = -x`: beside a condition this is an identity for a case, and no law.
-  [[nodiscard]] bool relates_the_same_letters() {
-    prepared_.question.tree = &tree_;
-    const auto letters_of = [&](ExprId side) {
-      const std::vector<SymbolId> letters = primitive_symbols(prepared_.question, side);
-      return std::set<SymbolId>(letters.begin(), letters.end());
-    };
-    return letters_of(claim_.equation.left) == letters_of(claim_.equation.right);
   }
 
   /// It fails as it was read, and that is a guess, or holds in a case only.
@@ -515,13 +522,14 @@ class Judging {
     if (own_guess() || claim_.alternative) return doubted();
     if (!claim_.for_all && relates_different_averages(tree_, prepared_, cache_))
       return state_law_of(averages_of(prepared_.question));
-    if (claim_.doubt != nullptr && relates_the_same_letters()) return doubted();
-    if (const auto both = component_declared_alone()) {
+    // `\sqrt{x^2} = -x`: beside a condition this is an identity for a case, and no law.
+    if (claim_.doubt != nullptr && relates_the_same_letters(as_written())) return doubted();
+    if (const auto both = component_declared_alone(as_written())) {
       judgement_.verdict = Verdict::not_understood;
       add(DiagnosticKind::ambiguous_reading,
           fmt::format("`{}` is declared as a number of its own, and can be meant as a component of `{}`",
-                      both->first, both->second),
-          {fmt::format("without a declaration of `{}` it is the component", both->first)});
+                      both->component, both->vector),
+          {fmt::format("without a declaration of `{}` it is the component", both->component)});
       return;
     }
     if (claim_.recorded == nullptr && speaks_of_averages(tree_, prepared_))
@@ -568,7 +576,7 @@ class Judging {
           "it was found to fail only where the logarithm that is differentiated may have no value");
       return;
     }
-    if (speaks_of_values()) {
+    if (speaks_of_values(prepared_.question, names_)) {
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided,
           "it was found to fail only where values of a function are taken as any numbers");
@@ -614,19 +622,6 @@ class Judging {
     if (law.empty()) return;
     state_law_of(law);
     judgement_.diagnostics.clear();
-  }
-
-  /// `f(2x)` and `f(x + x)` are two symbols to us; `\omega(k + q)` of `\omega(k) = ck` can be a product.
-  [[nodiscard]] bool speaks_of_values() const {
-    const std::vector<Definition>& known = prepared_.question.definitions;
-    const auto& values = names_.symbols.function_values;
-    const auto is_plain = [&](ExprId at) { return tree_[at].op == Op::symbol || tree_[at].op == Op::number; };
-    return std::ranges::any_of(symbols_of(prepared_.question), [&](SymbolId symbol) {
-      const auto value = values.find(base_of(tree_.symbols, symbol));
-      if (value == nullptr) return false;
-      const bool is_known = std::ranges::find(known, symbol, &Definition::symbol) != known.end();
-      return !is_known || !std::ranges::all_of(value->second.at, is_plain);
-    });
   }
 
   /// An assumption could not be read, or not all that it says was looked at: it may make the claim true.

@@ -135,3 +135,61 @@ TEST_CASE("symbols taken as zero are zero in samples and in proofs", "[algebra]"
   page.define(c, 2 * a);
   CHECK(is_proved(page.claim(b + c, b)));
 }
+
+TEST_CASE("where only proofs count, what fails takes no search for a sample", "[algebra]") {
+  const auto work_of = [](const Question& question, bool only_proofs) {
+    Budget budget;
+    Limits limits{.budget = &budget};
+    limits.only_proofs = only_proofs;
+    CHECK(decide(question, limits).outcome != Outcome::proved);
+    return budget.used();
+  };
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named c = page.vector("C");
+  const Question wrong = page.claim(cross(a, cross(b, c)), b * dot(a, c) + c * dot(a, b));
+  CHECK(10 * work_of(wrong, true) < work_of(wrong, false));
+  Limits limits;
+  limits.only_proofs = true;
+  const Question right = page.claim(cross(a, cross(b, c)), b * dot(a, c) - c * dot(a, b));
+  CHECK(decide(right, limits).outcome == Outcome::proved);
+}
+
+TEST_CASE("where only proofs count, what fails at rough points is not tried", "[algebra]") {
+  Limits limits;
+  limits.only_proofs = true;
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named c = page.vector("C");
+  page.given(dot(a, b), page.zero());
+  page.given(squared(a), squared(c));
+  CHECK(reason_open(page.claim(squared(cross(a, b)), 2 * squared(a) * squared(b)), limits) ==
+        "it fails where its assumptions hold");
+  CHECK(decide(page.claim(squared(cross(a, b)), squared(c) * squared(b)), limits).outcome == Outcome::proved);
+}
+
+TEST_CASE("an assumption without which the claim fails at rough points is not taken away on trial",
+          "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  const Named c = page.scalar("c");
+  const Named d = page.scalar("d");
+  page.given(a, pow(b, 2) + b);
+  page.given(b, pow(c, 2) + c);
+  page.given(c, pow(d, 3) + d);
+  const Term third = pow(d, 3) + d;
+  const Term second = pow(third, 2) + third;
+  const auto work = [&](bool fewest) {
+    Budget budget;
+    Limits limits{.budget = &budget};
+    limits.fewest_assumptions = fewest;
+    const Decision decision = decide(page.claim(a, pow(second, 2) + second), limits);
+    CHECK(decision.outcome == Outcome::proved);
+    CHECK(decision.assumptions.size() == 3);
+    return budget.used();
+  };
+  CHECK(work(true) < work(false) + work(false) / 2);
+}

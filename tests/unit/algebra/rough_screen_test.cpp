@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What follows is never said to fail; nearly all that does not follow is.
-#include "algebra/sample/rough_screen.h"
+#include "algebra/rough/rough_screen.h"
+
+#include <array>
 
 #include "algebra/verdict.h"
 #include "catch.h"
@@ -85,4 +87,40 @@ TEST_CASE("vectors, unit vectors and sums over particles have rough points", "[a
   CHECK(fails(page.claim(squared(cross(v, n)), squared(v))));
   CHECK_FALSE(fails(page.claim(dot(v, over(alpha, m(alpha) * r(alpha))), page.zero())));
   CHECK(fails(page.claim(over(alpha, m(alpha) * squared(r(alpha))), page.zero())));
+}
+
+TEST_CASE("an order fails where it is clearly the other way round", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  const Named c = page.scalar("c");
+  page.given(a, Relation::less, b);
+  page.given(b, Relation::less, c);
+  page.given(page.zero(), Relation::less, a);
+  CHECK_FALSE(fails(page.claim(a, Relation::less, c)));
+  CHECK_FALSE(fails(page.claim(a * b, Relation::less_or_equal, pow(c, 2))));
+  CHECK(fails(page.claim(c, Relation::less, a)));
+  CHECK(fails(page.claim(pow(c, 2), Relation::less, a)));
+  CHECK_FALSE(fails(page.claim(a, Relation::unequal, b)));
+}
+
+TEST_CASE("one program serves several choices of assumptions", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  const Named c = page.scalar("c");
+  const Named d = page.scalar("d");
+  page.given(a, pow(b, 2));
+  page.given(b, pow(c, 2));
+  page.given(c, pow(d, 2));
+  const Question question = page.claim(a, pow(d, 8));
+  const Scope scope(question, Scope::Definitions::unfolded);
+  Budget budget;
+  RoughScreen screen(scope, {0, 1, 2}, &budget);
+  const std::array<std::size_t, 3> all{0, 1, 2};
+  CHECK_FALSE(screen.fails_under(all));
+  CHECK(screen.fails_under(std::array<std::size_t, 2>{0, 1}));
+  CHECK(screen.fails_under(std::array<std::size_t, 2>{0, 2}));
+  CHECK(screen.fails_under(std::array<std::size_t, 2>{1, 2}));
+  CHECK_FALSE(screen.fails_under(all));
 }

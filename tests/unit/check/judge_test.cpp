@@ -44,14 +44,15 @@ struct Court {
     return result;
   }
 
-  Judgement judge(const std::string& statement) {
+  Judgement judge(const std::string& statement, const Limits& limits = {}) {
     const Elaborated claim = elaborate(statement);
     return rigor::judge(tree, names,
                         {.equation = claim.equation,
                          .relation = claim.written.relations.at(0).span,
                          .left = claim.written.sides.at(0).span,
                          .right = claim.written.sides.at(1).span,
-                         .reading = claim.reading.get()});
+                         .reading = claim.reading.get()},
+                        limits);
   }
 
   void given(const std::string& statement, std::size_t directive) {
@@ -251,4 +252,28 @@ TEST_CASE("a component that is declared as a number of its own is not refuted") 
   CHECK(
       verdict_on("I_{11} = I_1", rigor_says("scalar I_1, I_2, I_3") + tensor).starts_with("not-understood"));
   CHECK_FALSE(verdict_on("I_{11} = 2I_1", tensor) == "proved");
+}
+
+TEST_CASE(
+    "where sides are nearly equal only if a divisor is not 0, their first-order parts are asked as well") {
+  const Checked checked(rigor_says("scalar a, b, d, p, q, r, e") + rigor_says("small e") +
+                        rigor_says("let a = \\frac{b}{d}") + rigor_says("given d p = d q") +
+                        rigor_says("for all p, q, r, e, d") + "$$p \\approx q + er$$\n\n$$p \\approx q$$");
+  const std::size_t count = checked.report.steps.size();
+  CHECK(checked.report.steps.at(count - 2).verdict == Verdict::refuted);
+  CHECK(checked.report.steps.at(count - 1).verdict == Verdict::proved);
+}
+
+TEST_CASE("where only proofs count, what is not proved is not weighed") {
+  Limits limits;
+  limits.only_proofs = true;
+  Court court;
+  CHECK(court.judge("\\mathbf{A}\\times\\mathbf{B} = -\\mathbf{B}\\times\\mathbf{A}", limits).verdict ==
+        Verdict::proved);
+  const std::string wrong = "\\mathbf{A}\\times\\mathbf{B} = \\mathbf{B}\\times\\mathbf{A}";
+  CHECK(court.judge(wrong).verdict == Verdict::refuted);
+  const Judgement judgement = court.judge(wrong, limits);
+  CHECK(judgement.verdict == Verdict::undecided);
+  CHECK_FALSE(judgement.counterexample);
+  CHECK_FALSE(judgement.sample);
 }
