@@ -15,6 +15,7 @@
 #include "base/ascii.h"
 #include "check/doubt/digits.h"
 #include "check/doubt/equation_of_letters.h"
+#include "check/doubt/special_definitions.h"
 #include "check/law/from_laws.h"
 #include "check/law/from_set.h"
 #include "check/place/place.h"
