@@ -31,11 +31,12 @@ std::array<bool, 4> differentiated_axes(const ExprTree& tree, ExprId left, ExprI
   return axes;
 }
 
-/// `2`, `(1, 0, 3)`, `3\hat{x}`
+/// `2`, `(1, 0, 3)`, `3\hat{x}`, `2\pi`
 bool holds_only_numbers(const ExprTree& tree, ExprId root) {
   return std::ranges::none_of(nodes_below(tree, {root}), [&](ExprId id) {
     const Op op = tree[id].op;
-    return op == Op::symbol || op == Op::delta || op == Op::epsilon;
+    const bool circle = op == Op::symbol && tree.symbols[tree[id].symbol].circle_number;
+    return (op == Op::symbol && !circle) || op == Op::delta || op == Op::epsilon;
   });
 }
 

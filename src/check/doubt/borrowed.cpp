@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/among.h"
+#include "base/ascii.h"
 #include "check/doubt/one_direction.h"
 #include "check/doubt/special_definitions.h"
 #include "check/prose/restrictions.h"
@@ -14,6 +15,7 @@
 #include "check/question/decision_cache.h"
 #include "check/question/granted.h"
 #include "check/verdict/law_diagnostic.h"
+#include "check/word/contrary_words.h"
 #include "check/word/number_words.h"
 #include "check/word/prose_words.h"
 #include "elaborate/name/function_value.h"
@@ -407,13 +409,19 @@ class Heeding {
   /// A definition that is not said for this place, and without which it would not fail.
   bool rests_on_borrowed() {
     const auto case_word = word_of_a_case(sentence_);
+    const std::string here = lowered(at_.beside().lead);
+    std::optional<std::string> owner;  // another one than that of the definition
     std::vector<NamedDefinition> borrowed;
     for (const NamedDefinition& named : names_.scope.definitions) {
       const bool asked = std::ranges::any_of(judgement_.question.definitions, [&](const Definition& each) {
         return base_of(tree_.symbols, each.symbol) == base_of(tree_.symbols, named.definition.symbol);
       });
       if (!asked || named.origin.directive) continue;
-      const bool in_between = case_word && named.origin.event != at_.event;
+      const bool above = named.origin.event != at_.event;
+      const auto another =
+          above ? other_owner(lowered(at_.prose.beside[named.origin.event].lead), here) : std::nullopt;
+      if (!owner) owner = another;
+      const bool in_between = above && (case_word || another);
       const bool of_another = is_case_of_another_paragraph(tree_, at_, named);
       if (is_said_for(at_, named.origin) && !in_between && !of_another) continue;
       if (!is_used_here(at_, names_, named.origin, named.definition.symbol, judgement_.used))
@@ -441,7 +449,7 @@ class Heeding {
                                    ? "its own sentence may limit to a case"
                                    : "is not said for this section")
                  : fmt::format("it fails only with `{}`, and `{}` in its sentence may mean another case",
-                               borrowed.front().origin.text, *case_word),
+                               borrowed.front().origin.text, case_word ? *case_word : *owner),
              std::move(labels), std::move(help));
     return true;
   }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t most_digits = 15;
 constexpr std::int64_t most_halves = 1000;
+constexpr int fewest_digits_cut = 6;  // who shows less rounds them
 
 /// M · 10^-places, whose last `unsure` digits are zeros that may count or not.
 struct Shown {
@@ -151,6 +152,12 @@ class Comparison {
     return true;
   }
 
+  /// `1.054571817` of 1.0545718176…: the digits are right, and those behind them are left out.
+  bool is_cut() {
+    return is_ordered(10 * shown_.mantissa, false) == true &&
+           is_ordered(10 * shown_.mantissa + 10, true) == true;
+  }
+
   /// Where the value lies, once it does not lie within; empty where the number has a sign, a factor or a
   /// unit.
   [[nodiscard]] std::string bound() const {
@@ -272,6 +279,11 @@ std::optional<Equation> of_numbers(ExprTree& tree, const Names& names, const Equ
   return std::nullopt;
 }
 
+/// A calculation, and no number as it stands.
+bool is_computed(const ExprTree& tree, ExprId value) {
+  return tree[value].op != Op::number && tree[value].op != Op::negate;
+}
+
 }  // namespace
 
 bool has_decimal(const ExprTree& tree, const Names& names, ExprId root) {
@@ -374,8 +386,11 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& 
     const bool may_be_rounded =
         has_units(tree, side) ||
         (has_no_end(tree, names, value) && (measured || has_degrees(tree, names, {value, side})));
-    const auto shown = shown_in(tree, names, side, claim.nearly || of_decimals || may_be_rounded);
+    const auto shown = shown_in(tree, names, side,
+                                claim.nearly || of_decimals || may_be_rounded || is_computed(tree, value));
     const bool whole = shown && !claim.nearly && !of_decimals && !shown_in(tree, names, side, false);
+    // `2\pi\cdot 50 = 314`: the unit may stand in the sentence. Of one digit nobody expects that.
+    if (whole && !may_be_rounded && shown->digits - shown->unsure < 2) continue;
     if (!shown || !is_a_number(tree, names, value)) continue;
     Comparison comparison(tree, names, value, side, *shown, cache);
     if (whole && comparison.lies_within(0, 0) == true) continue;  // nothing is rounded
@@ -393,6 +408,8 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& 
     const auto may_round = comparison.lies_within(halves, shown->unsure);
     if (!may_round) return std::nullopt;
     if (*may_round) return DigitComparison{};
+    if ((claim.digits_go_on || shown->digits - shown->unsure >= fewest_digits_cut) && comparison.is_cut())
+      return DigitComparison{.agreement = claim.digits_go_on ? Agreement::rounds : Agreement::cut};
     if (!differs)
       differs = DigitComparison{.agreement = Agreement::differs,
                                 .bound = comparison.bound(),

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A number that is written with a decimal point, or after ≈, stands for all numbers that round to it:
 // 27/16 = 1.69 holds, 27/16 = 1.68 does not, 2^{-53} ≈ 1.11·10^{-16} does. So does a whole number
-// that is computed from decimals: 0.5·9.8·3^2 = 44. Trailing zeros of a whole number may be digits or not.
-// Letters that both sides have alike are left out: τ ln 2 = 0.693 τ.
+// that is computed from decimals: 0.5·9.8·3^2 = 44. One that is computed from whole numbers may: 2π·50 = 314.
+// Trailing zeros of a whole number may be digits or not. Letters that both sides have alike are left out: τ
+// ln 2 = 0.693 τ.
 #pragma once
 
 #include <optional>
@@ -16,6 +17,7 @@ namespace rigor {
 enum class Agreement : std::uint8_t {
   rounds,   // it rounds to them
   unclear,  // it may, by how many of the digits count
+  cut,      // its own digits are these, and the next one would round them up
   differs,  // it does not
 };
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/ascii.h"
+#include "check/doubt/other_notation.h"
 #include "elaborate/name/possible_ranks.h"
 #include "latex/token/vocabulary.h"
 
@@ -233,10 +234,13 @@ void doubt_errors(const SyntaxTree& syntax, const Names& names, const ParsedChai
       open = order_of_components(syntax, names, parsed, which);
       if (!open) open = open_letter(syntax, names, parsed, which);
       if (!open) open = open_argument(syntax, parsed, which);
+      if (!open) open = other_kind(syntax, names, parsed, which);
       if (!open) open = open_rank(syntax, names, parsed, which);
     }
-    if (!open && step && diagnostic.kind == DiagnosticKind::free_index_mismatch)
+    if (!open && step && diagnostic.kind == DiagnosticKind::free_index_mismatch) {
       open = open_subscript(syntax, parsed, which);
+      if (!open) open = other_subscript(syntax, names, parsed, which, diagnostic.span);
+    }
     if (!open) continue;
     diagnostic.kind = broken ? DiagnosticKind::unsupported : DiagnosticKind::ambiguous_reading;
     diagnostic.message += ", if this is the right reading: " + open->doubt;

@@ -86,9 +86,14 @@ void heed_digits(RowPlace& place, const Claim& claim, Judgement& judgement) {
              {.message = std::move(message), .help = {std::move(help)}, .kind = DiagnosticKind::undecided});
   };
   auto compared = agreement_of_digits(tree, names, claim, place.options.cache);
-  if (!compared) {  // `2\pi\,(3.0\,\mathrm m) = 18.8\,\mathrm m`
+  const bool differs = compared && compared->agreement == Agreement::differs;
+  if (!compared || differs) {  // `2\pi\,(3.0\,\mathrm m) = 18.8\,\mathrm m`
     const auto numbers = claim_in_base_units(tree, names, claim);
-    if (numbers) compared = agreement_of_digits(tree, names, *numbers, place.options.cache, true);
+    auto of_numbers =
+        numbers ? agreement_of_digits(tree, names, *numbers, place.options.cache, true) : std::nullopt;
+    // Of what differs, only numbers show whether it is cut off.
+    const Agreement cut_off = claim.digits_go_on ? Agreement::rounds : Agreement::cut;
+    if (!differs || (of_numbers && of_numbers->agreement == cut_off)) compared = std::move(of_numbers);
   }
   const auto digits = [&](Agreement each) { return compared && compared->agreement == each; };
   if (digits(Agreement::rounds)) {
@@ -101,6 +106,9 @@ void heed_digits(RowPlace& place, const Claim& claim, Judgement& judgement) {
   } else if (digits(Agreement::unclear) && judgement.verdict == Verdict::refuted) {
     doubt("whether it holds depends on how many of the digits are meant",
           "write only the digits that are meant");
+  } else if (digits(Agreement::cut) && judgement.verdict == Verdict::refuted) {
+    doubt("its digits are those of the value, cut off where they would be rounded up",
+          "`\\dots` behind them says so, or `\\approx`");
   } else if (compared && judgement.verdict == Verdict::refuted &&
              may_be_rounded_on_the_way(tree, names, claim, *compared)) {
     doubt("it holds if the decimals that it is computed from are rounded themselves",

@@ -15,6 +15,7 @@
 #include "check/doubt/equation_of_letters.h"
 #include "check/doubt/named_elements.h"
 #include "check/doubt/own_units.h"
+#include "check/doubt/spins.h"
 #include "check/law/state_facts.h"
 #include "check/place/place.h"
 #include "check/prose/open_words.h"
@@ -100,6 +101,27 @@ std::optional<Doubt> of_named_elements(RowPlace& place, const StepReading&, cons
     return std::nullopt;
   return doubt("its indices can number the elements of an algebra, and then it says how these are multiplied",
                "`rigor: claim …` asks whether it holds for all components");
+}
+
+std::optional<Doubt> of_spins(RowPlace& place, const StepReading& row, const Claim&) {
+  const std::vector<SyntaxId>& sides = row.parsed.sides;
+  if (!may_combine_spins(place.notes.syntax, sides[row.which], sides[row.which + 1])) return std::nullopt;
+  return Doubt{.message = "it can say which spins the spins of a product make together"};
+}
+
+/// `\hat{\mathbf X}` and `\hat{\mathbf Y}`: of a basis that nobody introduces.
+std::optional<Doubt> of_a_basis(RowPlace& place, const StepReading& row, const Claim&) {
+  std::set<std::string> axes;
+  for (const ExprId side : {row.left().typed->id, row.right().typed->id}) {
+    for (const SymbolId each : symbols_in(place.tree, side)) {
+      const Symbol& symbol = place.tree.symbols[each];
+      if (symbol.rank == 1 && is_one_of(symbol.name, {"\\hat{X}", "\\hat{Y}", "\\hat{Z}"}))
+        axes.insert(symbol.name);
+    }
+  }
+  if (axes.size() < 2) return std::nullopt;
+  return doubt(fmt::format("`{}` can be vectors of one basis", fmt::join(axes, "` and `")),
+               "`\\hat x`, `\\hat y` and `\\hat z` are read so");
 }
 
 /// `1\,\text{F} = 10^{-15}\,\text{m}`, or a row with such a unit.
@@ -380,10 +402,11 @@ void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
 }
 
 std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row, const Claim& claim) {
-  for (const auto ask : {behind_an_open_row, by_a_constant, in_turning_axes, of_named_elements,
-                         of_a_unit_of_the_notes, of_letters_held, of_degrees_alone, of_a_contradiction,
-                         with_a_unit_missing, in_natural_units, about_written_zeros, of_a_matrix_and_a_number,
-                         of_another_value, among_alternatives, by_a_borrowed_letter, for_other_values}) {
+  for (const auto ask :
+       {behind_an_open_row, by_a_constant, in_turning_axes, of_named_elements, of_spins, of_a_basis,
+        of_a_unit_of_the_notes, of_letters_held, of_degrees_alone, of_a_contradiction, with_a_unit_missing,
+        in_natural_units, about_written_zeros, of_a_matrix_and_a_number, of_another_value, among_alternatives,
+        by_a_borrowed_letter, for_other_values}) {
     if (auto doubt = ask(place, row, claim)) return doubt;
   }
   return std::nullopt;

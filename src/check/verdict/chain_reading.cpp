@@ -184,7 +184,8 @@ std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t 
                .written = written_step(parsed, which),
                .reading = &reading_,
                .doubt = parsed.written.doubt ? &*parsed.written.doubt : nullptr,
-               .alternative = parsed.written.alternative};
+               .alternative = parsed.written.alternative,
+               .digits_go_on = parsed.written.digits_go_on};
 }
 
 bool ChainReading::is_balanced() const {

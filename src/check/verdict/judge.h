@@ -57,6 +57,7 @@ struct Claim {
   const Reading* reading = nullptr;  // for its conventions and guesses
   const Obstacle* doubt = nullptr;   // words next to it that may restrict it
   bool alternative = false;          // it is one of several that may hold
+  bool digits_go_on = false;         // `3.1415\dots`: its decimal is cut off
   bool in_both_readings = false;     // a letter or bracket is open, and its other reading is asked, too
   bool explains = false;             // `names` and `nearly_question` are wanted
   RecordedStep* recorded = nullptr;  // a sample to be put in instead of a search

@@ -103,6 +103,22 @@ bool is_shut_out(std::string_view said, std::string_view here, bool also_un) {
   });
 }
 
+/// "The spin of the electron": of what, and of whom.
+struct Owned {
+  std::string_view thing;
+  std::string_view owner;
+};
+
+std::vector<Owned> owned_in(std::string_view text) {
+  static constexpr std::array<std::string_view, 3> articles{"the", "a", "an"};
+  const std::vector<std::string_view> words = words_of(text);
+  std::vector<Owned> owned;
+  for (std::size_t k = 1; k + 2 < words.size(); ++k) {
+    if (words[k] == "of" && is_one_of(words[k + 1], articles)) owned.push_back({words[k - 1], words[k + 2]});
+  }
+  return owned;
+}
+
 }  // namespace
 
 std::vector<std::string> case_words_of(std::string_view text) {
@@ -118,6 +134,17 @@ bool is_shut_out_by(std::string_view said, std::string_view here) { return is_sh
 
 bool is_kind_shut_out_by(std::string_view said, std::string_view here) {
   return is_shut_out(said, here, false);
+}
+
+std::optional<std::string> other_owner(std::string_view said, std::string_view here) {
+  const std::vector<Owned> first = owned_in(said);
+  for (const Owned& each : owned_in(here)) {
+    const auto same_thing = [&](const Owned& other) { return other.thing == each.thing; };
+    const bool same = std::ranges::any_of(
+        first, [&](const Owned& other) { return same_thing(other) && other.owner == each.owner; });
+    if (!same && std::ranges::any_of(first, same_thing)) return std::string(each.owner);
+  }
+  return std::nullopt;
 }
 
 }  // namespace rigor

@@ -4,6 +4,7 @@
 // motion, too. The lists are closed.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,5 +19,8 @@ namespace rigor {
 /// The same of definitions. The frequency of the undamped oscillator is a letter of the damped one's law, so
 /// that words with "un-" shut out nothing.
 [[nodiscard]] bool is_kind_shut_out_by(std::string_view said, std::string_view here);
+
+/// "The spin of the photon" below "the spin of the electron": the second owner of one thing.
+[[nodiscard]] std::optional<std::string> other_owner(std::string_view said, std::string_view here);
 
 }  // namespace rigor

@@ -211,8 +211,8 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
       return SpelledPart{both, "this can be a change of second order, or a power and a factor", {}};
     if (power_of_symbol && may_be_inverse(reading, id, next))
       return SpelledPart{both, "this can be the value of the inverse function, or a reciprocal", {}};
-    const bool of_letter = syntax[next].kind == SyntaxKind::group &&
-                           syntax[syntax.child(next, 0)].kind == SyntaxKind::symbol;
+    const bool of_letter =
+        syntax[next].kind == SyntaxKind::group && syntax[syntax.child(next, 0)].kind == SyntaxKind::symbol;
     if (of_letter && joins_functions(reading, id))
       return SpelledPart{both, "this can be the value of functions that are joined, or a product", {}};
     const auto squared = letter_in_power(syntax, id);
@@ -367,8 +367,8 @@ std::string name_of_function(const Reading& reading, const Typed& of) {
 }
 
 /// t of `x(t)`, as the section writes it; of what is dotted the time.
-std::vector<std::string> running_variables(const Reading& reading, const WrittenSymbol& function,
-                                           SymbolId of, std::size_t count) {
+std::vector<std::string> running_variables(const Reading& reading, const WrittenSymbol& function, SymbolId of,
+                                           std::size_t count) {
   WrittenSymbol bare = function;
   bare.primes = 0;
   bare.dots = 0;

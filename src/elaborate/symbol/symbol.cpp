@@ -29,9 +29,24 @@ bool is_axis_letter(const WrittenIndex& axis) {
   return axis.form == IndexForm::letter && axis_of_letter(axis.text) != 0;
 }
 
+/// \mathbf{\hat X}, \mathbf{\hat Y} and \mathbf{\hat Z} beside numbers X, Y, Z, where the notes have no
+/// other axes: then they are the axes.
+bool are_capital_axes(const Sightings& sightings) {
+  const auto is_bold = [&](std::string_view name) {
+    return sightings.bold.contains({std::string(name), false});
+  };
+  static constexpr std::array<std::string_view, 3> axes{"\\hat{X}", "\\hat{Y}", "\\hat{Z}"};
+  static constexpr std::array<std::string_view, 6> others{"X", "Y", "Z", "\\hat{x}", "\\hat{y}", "\\hat{z}"};
+  return std::ranges::all_of(axes, is_bold) && std::ranges::none_of(others, is_bold) &&
+         !sightings.hatted_ij && !sightings.bold_indexed.contains("e");
+}
+
 std::uint8_t hatted_axis(const WrittenSymbol& written, const Sightings& sightings) {
   if (written.accent != Accent::hat || !written.lower.empty() || written.primes > 0) return 0;
   if (const std::uint8_t axis = axis_of_letter(written.letter)) return axis;
+  const bool capital = written.letter == "X" || written.letter == "Y" || written.letter == "Z";
+  if (capital && written.face == Face::vector && are_capital_axes(sightings))
+    return static_cast<std::uint8_t>(written.letter[0] - 'X' + 1);
   if (!sightings.hatted_ij) return 0;
   if (written.letter == "i" || written.letter == "\\imath") return 1;
   if (written.letter == "j" || written.letter == "\\jmath") return 2;

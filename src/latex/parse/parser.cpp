@@ -33,6 +33,10 @@ bool is_transpose(TokenView content) {
   return is_one_of(text_of(content), marks);
 }
 
+bool starts_three_dots(TokenView tokens, std::size_t at) {
+  return is_sign_at(tokens, at, ".") && is_sign_at(tokens, at + 1, ".") && is_sign_at(tokens, at + 2, ".");
+}
+
 std::string_view again_name(TokenKind script) {
   return script == TokenKind::subscript ? "subscripts" : "superscripts";
 }
@@ -302,6 +306,11 @@ SyntaxId Parser::primary(Cursor& cursor) {
   if (is_sign(token, ".") && cursor.at + 1 < cursor.tokens.size() &&
       cursor.tokens[cursor.at + 1].kind == TokenKind::digit) {
     return number(cursor);
+  }
+  if (is_sign(token, ".") && starts_three_dots(cursor.tokens, cursor.at)) {
+    cursor.at += 3;
+    return opaque(cover(token.span, cursor.tokens[cursor.at - 1].span),
+                  fmt::format("`...`: {}", unread_reason("dots")));
   }
   if (const auto interval = reversed_interval(cursor)) return *interval;
   ++cursor.at;

@@ -63,6 +63,7 @@ class Parser {
   SyntaxId bars(Cursor& cursor);
   std::size_t outer_bar(const Cursor& cursor, std::size_t close);
   std::optional<SyntaxId> reversed_interval(Cursor& cursor);
+  SyntaxId in_brackets(TokenView content, Span span);
   SyntaxId bracket_contents(TokenView content, Span span, std::uint32_t pair);
   SyntaxId environment(Cursor& cursor);
   void read_between(TokenView body, std::span<const TokenView> cells);

@@ -67,7 +67,15 @@ bool ends_operand(const Token& token) {
   }
 }
 
-/// `|…|` has one sign for both ends: a bar after an operand closes, any other opens.
+bool is_product_sign(const Token& token) { return factor_joint(token) != Joint::none; }
+
+/// `+`, `\cdot`: a sign of a sum or a product, and nothing else.
+bool is_lone_sign(TokenView tokens) {
+  tokens = trim(tokens);
+  return tokens.size() == 1 && (is_sum_sign(tokens[0]) || is_product_sign(tokens[0]));
+}
+
+/// `|…|` has one sign for both ends: a bar after an operand closes, any other opens. `|\cdot|` closes, too.
 std::size_t closing_bar(TokenView tokens, std::size_t open) {
   const bool twofold = is_double_bar(tokens[open]);
   Nesting nesting(false);
@@ -78,7 +86,9 @@ std::size_t closing_bar(TokenView tokens, std::size_t open) {
     if (is_blank(token) || is_spacing(token)) continue;
     const int depth = nesting.enter(token);
     if (depth == 0 && (twofold ? is_double_bar(token) : is_bar(token))) {
-      bars += operand ? -1 : 1;
+      const TokenView inside = trim(tokens.subspan(open + 1, at - open - 1));
+      const bool placeholder = inside.size() == 1 && is_product_sign(inside[0]);
+      bars += operand || placeholder ? -1 : 1;
       if (bars == 0) return at;
       continue;  // after a closed bar an operand has ended, after an opened one it has not
     }
@@ -107,8 +117,12 @@ bool stands_between(TokenView tokens, std::size_t at) {
   std::size_t behind = at + 1;
   while (behind < tokens.size() && means_nothing(tokens[behind])) ++behind;
   if (before == 0 || behind >= tokens.size()) return false;
-  const bool ended = ends_operand(tokens[before - 1]) || is_script_argument(tokens, before - 1);
-  return ended && begins_operand(tokens[behind]);
+  // `P(+|D)`, `P(D|-)`: a sign alone is a name.
+  const bool named_before = is_lone_sign(tokens.first(at));
+  const bool named_behind = is_lone_sign(tokens.subspan(at + 1));
+  const bool ended =
+      named_before || ends_operand(tokens[before - 1]) || is_script_argument(tokens, before - 1);
+  return ended && (named_behind || begins_operand(tokens[behind]));
 }
 
 struct Cell {
@@ -200,6 +214,16 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
       DiagnosticKind::ambiguous_reading, {"without brackets, or in round ones, it is the letter itself"});
 }
 
+/// What brackets hold. `P(+)` names a result, `E(\cdot)` keeps a place for an argument: a sign alone is no
+/// slip there.
+SyntaxId Parser::in_brackets(TokenView content, Span span) {
+  if (is_lone_sign(content))
+    return opaque(
+        span_of(trim(content)),
+        fmt::format("`{0}` alone in brackets, for a name or an argument, is not read", text_of(content)));
+  return inner(content, span);
+}
+
 /// One expression in brackets, or several with commas between: the components of a vector. `pair`: the
 /// payload if there are two.
 SyntaxId Parser::bracket_contents(TokenView content, Span span, std::uint32_t pair) {
@@ -209,7 +233,7 @@ SyntaxId Parser::bracket_contents(TokenView content, Span span, std::uint32_t pa
   for (std::size_t at = 0; at <= content.size(); ++at) {
     const bool end = at == content.size();
     if (!end && (nesting.enter(content[at]) != 0 || !is_sign(content[at], ","))) continue;
-    entries.push_back({inner(content.subspan(begin, at - begin), span), Joint::comma, span});
+    entries.push_back({in_brackets(content.subspan(begin, at - begin), span), Joint::comma, span});
     if (!end) read(content.subspan(at, 1));
     begin = at + 1;
   }
@@ -251,7 +275,7 @@ SyntaxId Parser::bars(Cursor& cursor) {
   if (sized && !is_control(closing, norm ? "rVert" : "rvert")) {
     return opaque(closing.span, "this does not close the bar before it", DiagnosticKind::unbalanced);
   }
-  const SyntaxChild child{inner(content, span)};
+  const SyntaxChild child{in_brackets(content, span)};
   return tree_.add(norm ? SyntaxKind::norm : SyntaxKind::bars, span, {&child, 1});
 }
 
@@ -366,7 +390,11 @@ SyntaxId Parser::matrix(TokenView body, Span span, bool determinant) {
   for (const Cell& cell : cells) {
     const bool empty = trim(cell.tokens).empty();
     entries.push_back(
-        {empty ? opaque(span, "an empty cell can be a 0") : inner(cell.tokens, span), Joint::comma, span});
+        {empty ? opaque(span, "an empty cell can be a 0")
+         : is_lone_sign(cell.tokens)
+             ? opaque(span_of(trim(cell.tokens)), "a cell with a sign alone can be a 0 or any entry")
+             : inner(cell.tokens, span),
+         Joint::comma, span});
     ++in_row;
     if (!cell.ends_row) continue;
     ragged = ragged || (columns != 0 && columns != in_row);

@@ -163,7 +163,7 @@ SyntaxId Parser::fraction(Cursor& cursor) {
 SyntaxId Parser::root(Cursor& cursor) {
   const Token token = cursor.token();
   const Argument degree = optional_argument_at(cursor.tokens, cursor.at + 1);
-  const Argument radicand = argument_at(cursor.tokens, degree.next);
+  const Argument radicand = script_argument_at(cursor.tokens, degree.next);  // also `\sqrt\frac km`
   const Span span = cover(token.span, span_of(cursor.tokens.subspan(cursor.at, radicand.next - cursor.at)));
   read(cursor.tokens.subspan(cursor.at, degree.next - cursor.at));
   cursor.at = radicand.next;

@@ -100,7 +100,7 @@ std::optional<SyntaxId> Parser::state_bracket(Cursor& cursor) {
   const auto first = static_cast<std::size_t>(content->data() - tokens.data());
   read(tokens.subspan(begin, first - begin));
   read(tokens.subspan(first + content->size(), cursor.at - first - content->size()));
-  const SyntaxId inside = inner(*content, span);
+  const SyntaxId inside = in_brackets(*content, span);
   return tree_.add_named(SyntaxKind::function, span, "average", inside);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/split/chain.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "base/among.h"
@@ -11,12 +12,36 @@
 namespace rigor {
 namespace {
 
+/// `...` leaves something out; a fourth dot is a full stop.
+bool ends_with_three_dots(TokenView tokens) {
+  const auto is_other = [](const Token& token) { return !is_sign(token, "."); };
+  const auto last_other = std::find_if(tokens.rbegin(), tokens.rend(), is_other);
+  return last_other - tokens.rbegin() == 3;
+}
+
 TokenView without_punctuation(TokenView tokens) {
   tokens = without_empty_end(tokens);
   while (!tokens.empty() && (is_spacing(tokens.back()) || is_sign_of(tokens.back(), ".,;:"))) {
+    if (ends_with_three_dots(tokens)) break;
     tokens = trim(tokens.first(tokens.size() - 1));
   }
   return tokens.subspan(first_significant(tokens, 0));
+}
+
+/// `3.14159` of `3.14159...` and `3.14159\dots`: a decimal whose digits go on; nothing for other sides.
+std::optional<TokenView> decimal_that_goes_on(TokenView side) {
+  const bool control = !side.empty() && is_control_of(side.back(), {"dots", "ldots", "dotsc", "cdots"});
+  if (!control && !ends_with_three_dots(side)) return std::nullopt;
+  const TokenView before = trim(side.first(side.size() - (control ? 1 : 3)));
+  std::size_t begin = before.size();
+  const auto is_part = [](const Token& token) {
+    return token.kind == TokenKind::digit || is_sign(token, ".");
+  };
+  while (begin > 0 && is_part(before[begin - 1])) --begin;
+  const TokenView number = before.subspan(begin);
+  const auto points = std::ranges::count_if(number, [](const Token& token) { return is_sign(token, "."); });
+  const bool decimal = points == 1 && number.back().kind == TokenKind::digit;
+  return decimal ? std::optional(before) : std::nullopt;
 }
 
 /// The relation at `at`, and the place after it.
@@ -97,7 +122,11 @@ WrittenChain chain_of(TokenView tokens, TokenUses& uses) {
   Nesting nesting(false);
   std::size_t begin = 0;
   const auto finish_side = [&](std::size_t end) {
-    const TokenView side = without_punctuation(tokens.subspan(begin, end - begin));
+    TokenView side = without_punctuation(tokens.subspan(begin, end - begin));
+    if (const auto decimal = decimal_that_goes_on(side)) {
+      side = *decimal;
+      chain.digits_go_on = true;
+    }
     uses.mark(tokens.subspan(begin, end - begin), TokenUse::layout);  // a full stop at the end
     uses.mark(side, TokenUse::side);
     Span span = span_of(side);

@@ -182,12 +182,18 @@ class RowReader {
     const bool double_bar = is_control(bracket, "|") || is_control(bracket, "Vert");
     const bool brace = is_control(bracket, "{") || is_control(bracket, "lbrace");
     const std::size_t behind = skip_blank(tokens_, at + 1);
+    if (is_sign_of(bracket, "<>")) {  // `\left<x\right>`
+      bracket.text = is_sign(bracket, "<") ? "langle" : "rangle";
+      bracket.kind = TokenKind::control;
+    }
     if (opens && brace && is_control_at(tokens_, behind, "begin")) {
       leave(behind);  // the brace of a system of equations, which `\\right.` ends
       behind_brace_ = behind;
       return true;
     }
-    if ((plain_bar || double_bar) && (opens || closes)) {
+    // `\biggl|_{x=0}`: a bar with a subscript opens nothing.
+    const bool at_a_place = opens && plain_bar && is_kind_at(tokens_, behind, TokenKind::subscript);
+    if ((plain_bar || double_bar) && (opens || closes) && !at_a_place) {
       bracket.kind = TokenKind::control;
       bracket.text = plain_bar ? (opens ? "lvert" : "rvert") : (opens ? "lVert" : "rVert");
     }

@@ -22,6 +22,7 @@ struct Statement {
   std::string label;
   std::optional<Obstacle> condition;
   Span condition_span;
+  std::optional<Obstacle> doubt;
 };
 
 /// The first place that is no kind of space.
@@ -78,12 +79,26 @@ bool repeats_relation(TokenView above, TokenView row) {
   return kind && relation_kind(first) == kind && last.text == first.text;
 }
 
+bool has_ended(const Statement& statement) {
+  const TokenView tokens = trim(statement.tokens);
+  return !tokens.empty() && is_sign_of(tokens.back(), ".,;");
+}
+
+/// `+ b = c`: an equation of its own begins with no `+` and no sign of a product, unless what stands above
+/// has ended.
+bool goes_on(const Statement& above, TokenView row) {
+  const Token& first = row[first_sign(row)];
+  return !has_ended(above) && (is_sign(first, "+") || factor_joint(first) != Joint::none);
+}
+
 /// Does the row go on with the statement above it?
-bool continues(const Statement& above, TokenView row, bool first_cell_empty, bool continuation_by_layout) {
+bool continues(const Statement& above, TokenView row, bool first_cell_empty, bool continuation_by_layout,
+               bool only_cell) {
   if (above.tokens.empty()) return false;
   if (starts_with_relation(row) || above.open_brackets > 0 || ends_open(above.tokens)) return true;
   if (continuation_by_layout) return true;
-  if (starts_with_operator(row)) return first_cell_empty || !has_relation(row);
+  if (starts_with_operator(row))
+    return first_cell_empty || !has_relation(row) || (only_cell && goes_on(above, row));
   return false;
 }
 
@@ -181,9 +196,10 @@ class RowJoiner {
       column = column - 1;
     } else {
       if (column >= open_.size()) open_.resize(column + 1);
-      if (!continues(open_[column], tokens, first_cell_empty, by_layout_)) {
-        doubt(open_[column], tokens);
+      if (!continues(open_[column], tokens, first_cell_empty, by_layout_, row.cells.size() == 1)) {
+        auto of_row = doubt(open_[column], tokens);
         close(open_[column]);
+        open_[column].doubt = std::move(of_row);
       }
     }
     Statement& current = open_[column];
@@ -214,14 +230,17 @@ class RowJoiner {
     if (!row.label.empty()) current.label = row.label;
   }
 
-  /// Where a row could belong to the statement above it or not, that statement is not judged.
-  static void doubt(Statement& above, TokenView row) {
+  /// Where a row could belong to the statement above it or not, that statement is not judged; nor is the row
+  /// refuted, since its own left side may be only the end of one.
+  static std::optional<Obstacle> doubt(Statement& above, TokenView row) {
     const bool open_end = !has_relation(row) || starts_with_operator(row);
-    if (!open_end || is_empty(above.tokens)) return;
+    if (!open_end || is_empty(above.tokens)) return std::nullopt;
     above.condition = Obstacle{DiagnosticKind::ambiguous_reading,
                                "the next row can continue this equation, or be an equation of its own",
                                {"begin the row with `&` and a sign if it continues"}};
     above.condition_span = span_of(row);
+    if (!has_relation(row) || has_ended(above)) return std::nullopt;
+    return Obstacle{DiagnosticKind::ambiguous_reading, "it can continue the equation above it", {}};
   }
 
   const std::vector<Row>& rows_;
@@ -327,6 +346,7 @@ SplitDisplay split_and_count(TokenView tokens, std::string_view environment, Dia
       if (chain.tag.empty()) chain.tag = statement.tag;
       chain.label = statement.label;
       chain.statement = number;
+      if (statement.doubt && !chain.doubt) chain.doubt = statement.doubt;
       if (statement.condition && !chain.condition) {
         chain.condition = statement.condition;
         chain.condition_span = statement.condition_span;

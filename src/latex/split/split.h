@@ -50,7 +50,8 @@ struct WrittenChain {
   /// there is a doubt.
   std::vector<WrittenChain> assumed;
   bool of_cases = false;  // one of `\begin{cases} … \end{cases}`: it is said for `assumed`, without a doubt
-  bool alternative = false;  // "or" is next to it
+  bool alternative = false;   // "or" is next to it
+  bool digits_go_on = false;  // `3.14159...`: a decimal of it is cut off, and not rounded
   Inference inference = Inference::none;
   bool premise = false;   // something is inferred from it on its line
   bool explains = false;  // "where", "with" is before it: it says what a letter of its line is

@@ -93,8 +93,25 @@ TEST_CASE("a definition by cases is one side") {
 
 TEST_CASE("a row that can go on or stand for itself leaves the one above unjudged") {
   CHECK(split("gather", "a = b \\\\ c") == "a = b ?ambiguous-reading // c");
-  CHECK(split("gather", "a = b \\\\ -c = d") == "a = b ?ambiguous-reading // -c = d");
+  CHECK(split("gather", "a = b \\\\ -c = d") == "a = b ?ambiguous-reading // -c = d ~restricted");
+  CHECK(split("gather", "a = b, \\\\ -c = d") == "a = b ?ambiguous-reading // -c = d");
+  CHECK(split("align", "a &= b \\\\ +c &= d") == "a = b ?ambiguous-reading // +c = d ~restricted");
   CHECK(split("gather", "a = b \\\\ c = d") == "a = b // c = d");
+}
+
+TEST_CASE("a row that begins with a plus or the sign of a product goes on with the side above it") {
+  CHECK(split("gather", "a = b \\\\ +c = d") == "a = b +c = d");
+  CHECK(split("a = b \\\\ \\times c = d") == "a = b \\times c = d");
+  CHECK(split("gather", "a = b. \\\\ +c = d") == "a = b ?ambiguous-reading // +c = d");
+}
+
+TEST_CASE("three dots are no full stop") {
+  CHECK(split("a = b = ...") == "a = b = ...");
+  CHECK(split("a = b = ....") == "a = b = ...");
+  CHECK(split("a = b...,") == "a = b...");
+  CHECK(split("a = 0.33...") == "a = 0.33");
+  CHECK(split("a = 0.33\\ldots\\,.") == "a = 0.33");
+  CHECK(split("a = 3...") == "a = 3...");
 }
 
 TEST_CASE("a chain does not run across words between the rows") {
