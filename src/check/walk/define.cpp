@@ -203,7 +203,8 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
   if (context.role == Role::display && is_particular_solution(walk, definition->symbol)) return false;
   // `f(x) = 0` is solved, and is no function that is 0.
   const bool to_be_solved = walk.notes.syntax[parsed.sides[0]].kind == SyntaxKind::term &&
-                            walk.tree[left.typed->id].rank == 0 && walk.tree.is_zero_literal(right.typed->id) &&
+                            walk.tree[left.typed->id].rank == 0 &&
+                            walk.tree.is_zero_literal(right.typed->id) &&
                             parsed.written.relations[0].kind != RelationKind::defines &&
                             parsed.assumed.empty() && !is_alternative(place_here(walk), parsed);
   if (context.role == Role::display && to_be_solved) return false;
