@@ -213,7 +213,8 @@ std::vector<SymbolId> letters_of_values(const RowUnderLaws& row, const Laws& ava
     const Symbol& symbol = row.tree.symbols[each];
     const NameKey* key = key_of(row.names.symbols, each);
     return symbol.rank == 0 && !symbol.per_particle && !symbol.is_fixed() && key != nullptr &&
-           !row.names.symbols.evidence->applied.contains(key->base) && !symbol.derivation &&
+           !row.names.symbols.evidence->applied.contains(key->base) &&
+           !has_rate(*row.names.symbols.sightings, *key) && !symbol.derivation &&
            definition_of(row.names.scope, each) == nullptr;
   };
   std::vector<SymbolId> letters;
@@ -221,8 +222,7 @@ std::vector<SymbolId> letters_of_values(const RowUnderLaws& row, const Laws& ava
     std::vector<SymbolId> written = symbols_in(row.tree, law->equation.left);
     std::ranges::copy(symbols_in(row.tree, law->equation.right), std::back_inserter(written));
     if (!is_of_values_alone(row, written)) continue;
-    std::erase_if(written,
-                  [&](SymbolId each) { return row.names.symbols.function_values.contains(each); });
+    std::erase_if(written, [&](SymbolId each) { return row.names.symbols.function_values.contains(each); });
     if (std::ranges::all_of(written, is_plain)) std::ranges::copy(written, std::back_inserter(letters));
   }
   return letters;
@@ -305,7 +305,8 @@ std::optional<SymbolId> letter_of_particular_solution(const Names& names, Symbol
   if (key == nullptr) return std::nullopt;
   const std::string bare = without_labels(key->base);
   const std::string_view label = std::string_view(key->base).substr(bare.size());
-  if (!is_one_of(label, {"_p", "_{p}", "_{part}", "_{\\mathrm{p}}", "_{\\mathrm{part}}"})) return std::nullopt;
+  if (!is_one_of(label, {"_p", "_{p}", "_{part}", "_{\\mathrm{p}}", "_{\\mathrm{part}}"}))
+    return std::nullopt;
   NameKey of = *key;
   of.base = bare;
   return find_symbol(names.symbols, of);

@@ -455,6 +455,18 @@ bool has_a_function(const ExprTree& tree, ExprId side) {
                              [&](ExprId id) { return tree[id].op == Op::function; });
 }
 
+/// "It is wrong that", "compared with", "instead of": no problem is posed.
+bool turns_a_problem_down(const std::string& sentence) {
+  static constexpr auto words = std::to_array<std::string_view>(
+      {"wrong",   "wrongly",   "false",    "incorrect", "incorrectly", "mistaken", "mistake",
+       "not",     "no",        "never",    "cannot",    "nor",         "neither",  "without",
+       "unlike",  "compare",   "compared", "instead",   "rather",      "contrary", "contrast",
+       "whereas", "different", "differs",  "other",     "another",     "replaced", "except",
+       "unless",  "forget",    "suppose",  "imagine",   "would",       "were",     "if"});
+  const std::string text = lowered(sentence);
+  return std::ranges::any_of(words_of(text), [](std::string_view word) { return is_one_of(word, words); });
+}
+
 /// x of `\ddot x` and `dx/dt` on the page.
 bool is_differentiated(const RowPlace& place, SymbolId letter) {
   const NameKey* key = key_of(place.names.symbols, letter);
@@ -492,8 +504,9 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
                        !keeps_a_common_ending(place.tree, equation) && !names_a_surface(place, equation);
     const bool tries = may_try && !for_now && letter && is_differentiated(place, *letter) &&
                        has_a_function(place.tree, equation.right);
-    const bool poses = is_about_values(place, equation) || tries ||
-                       (!said.at_place && is_differential_equation(place.tree, equation));
+    const bool says = is_about_values(place, equation) || tries ||
+                      (!said.at_place && is_differential_equation(place.tree, equation));
+    const bool poses = says && !turns_a_problem_down(sentence->text);
     if (!names && !poses) continue;
     const std::string words = lowered(sentence->text);
     PageLaw law{.equation = equation,
