@@ -103,8 +103,8 @@ bool is_case_of_another_paragraph(const ExprTree& tree, const Standpoint& at, co
   const ProseBeside& here = at.beside();
   if (named.origin.directive || named.origin.event == at.event) return false;
   const bool value = is_plain_value(tree, named.definition.body) && !is_said_for_all_below(said.lead);
-  return names_other_units(at.prose, said, here) ||
-         ((value || is_said_as_example(said.lead)) && begins_anew(at.prose, said, here));
+  if (names_other_units(at.prose, said, here) || (value && names_another_thing(here.lead))) return true;
+  return (value || is_said_as_example(said.lead)) && begins_anew(at.prose, said, here);
 }
 
 bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedDefinition& named) {

@@ -45,6 +45,15 @@ bool asks_for_real_numbers(const ExprTree& tree, const Question& question) {
 
 namespace {
 
+/// `\arctan x = \pi/2 - \arctan(1/x)` holds for lengths and masses.
+bool has_inverse_function(const ExprTree& tree, const Question& question) {
+  return std::ranges::any_of(nodes_below(tree, {question.claim.left, question.claim.right}), [&](ExprId id) {
+    const Function function = tree[id].function;
+    return tree[id].op == Op::function &&
+           (function == Function::arctan || function == Function::arcsin || function == Function::arccos);
+  });
+}
+
 std::string for_all(const std::string& name) {
   return fmt::format("if all values are meant, `rigor: for all {}` says so", name);
 }
@@ -53,7 +62,7 @@ std::string for_all(const std::string& name) {
 
 std::optional<SignDoubt> doubt_of_signs(ExprTree& tree, const Question& question, const NameScope& scope,
                                         const Sample& sample, DecisionCache* cache) {
-  if (!asks_for_real_numbers(tree, question)) return std::nullopt;
+  if (!asks_for_real_numbers(tree, question) && !has_inverse_function(tree, question)) return std::nullopt;
   // samples prefer positive scalars, so that a negative one was needed
   const Symbol* negative =
       not_for_all(tree, scope, sample, [](const std::string& value) { return value.starts_with('-'); });

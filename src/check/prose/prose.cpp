@@ -369,7 +369,11 @@ class ProseReader {
     std::size_t end = at + 1;
     while (end < text.size() && is_letter(text[end])) ++end;
     const std::string name = text.substr(at + 1, end - at - 1);
-    if (name == "item" || name == "par") end_sentence();
+    const bool parts = name == "item" || name == "par" || name == "paragraph" || name == "subparagraph";
+    if (parts) {
+      end_sentence();
+      ++argument_;
+    }
     const bool names_something = name == "begin" || name == "end" || name == "label" || name == "ref" ||
                                  name == "eqref" || name == "cite";
     if (names_something && end < text.size() && text[end] == '{') {

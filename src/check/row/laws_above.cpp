@@ -140,16 +140,43 @@ bool sets_letters_equal(const ExprTree& tree, const Equation& equation) {
   return bare && !names_a_rate(tree, equation);
 }
 
-/// `H\psi = E\psi`: who does not cancel the factor that ends both sides does not mean a product of numbers,
-/// but an operator. `mg = ma` is one.
-bool keeps_a_common_ending(const ExprTree& tree, const Equation& equation) {
-  const auto ending = [&](ExprId side) -> std::optional<SymbolId> {
-    if (tree[side].op != Op::multiply) return std::nullopt;
-    const ExprNode& last = tree[tree.children(side).back()];
-    return last.op == Op::symbol ? std::optional(last.symbol) : std::nullopt;
+/// The letters that are factors of a term, and the last one.
+struct Factors {
+  std::set<SymbolId> letters;
+  std::optional<SymbolId> ending = {};
+};
+
+Factors factors_of_term(const ExprTree& tree, ExprId term) {
+  if (tree[term].op == Op::divide) return factors_of_term(tree, tree.children(term)[0]);
+  if (tree[term].op == Op::symbol) return {{tree[term].symbol}, tree[term].symbol};
+  Factors factors;
+  if (tree[term].op != Op::multiply) return factors;
+  for (const ExprId factor : tree.children(term)) {
+    const Factors own = factors_of_term(tree, factor);
+    factors.letters.insert(own.letters.begin(), own.letters.end());
+    factors.ending = own.ending;
+  }
+  return factors;
+}
+
+/// `H\psi = E\psi`, `Pu = Pv`: who does not cancel what ends the terms, or a capital, does not mean a product
+/// of numbers. `mg = ma` is one.
+bool keeps_an_operator(const RowPlace& place, const Equation& equation) {
+  std::vector<Factors> terms;
+  for (const ExprId side : {equation.left, equation.right}) {
+    for (const SignedTerm& term : signed_terms(place.tree, side))
+      terms.push_back(factors_of_term(place.tree, term.id));
+  }
+  const auto is_common = [&](SymbolId each) {
+    return std::ranges::all_of(terms, [&](const Factors& term) { return term.letters.contains(each); });
   };
-  const auto left = ending(equation.left);
-  return left && left == ending(equation.right);
+  return std::ranges::any_of(terms.front().letters, [&](SymbolId each) {
+    const NameKey* key = key_of(place.names.symbols, each);
+    const bool capital = key != nullptr && is_capital_letter(without_labels(key->base));
+    const bool ends =
+        std::ranges::any_of(terms, [&](const Factors& term) { return term.ending == std::optional(each); });
+    return is_common(each) && (capital || ends);
+  });
 }
 
 /// The letter that a law says alone on its left side what it is: F of `F = -kx`.
@@ -225,11 +252,11 @@ bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& r
   const PageLaw& law = stated.law;
   const bool said = std::ranges::all_of(
       stated.conditions, [&](const std::string& each) { return is_one_of(each, reach.conditions); });
-  if (!said) return false;
+  if (!said || (stated.poses && names_another_thing(here.lead))) return false;
   const bool in_reach = law.argument == here.argument || is_named_beside(place, stated);
   if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
   const bool reaches = sections.reaches(law.place, here.place);
-  if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place) ||
+  if (!reaches && (stated.of_a_section || stated.poses || sections.leaves_an_example(law.place, here.place) ||
                    is_stated_anew(stated, reach.stated_here)))
     return false;
   if (!reach.of_any_thing && is_of_another_thing(place, stated) && !is_named_beside(place, stated))
@@ -329,7 +356,7 @@ bool is_an_example(const RowPlace& place) {
 void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
                          Standing standing) {
   if (equation.relation != Relation::equal || is_alternative(place, parsed) ||
-      names_coordinates(place.tree, equation) || keeps_a_common_ending(place.tree, equation) ||
+      names_coordinates(place.tree, equation) || keeps_an_operator(place, equation) ||
       names_a_surface(place, equation) || is_of_an_unknown_case(place, equation) ||
       (parsed.written.doubt && !parsed.written.only_said_for))
     return;
@@ -500,8 +527,8 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
         may_name && letter && sentence->has_display && is_said_for_good(place, said, *letter) &&
         !seen_in_equation(place.names.scope, *letter) && definition_of(place.names.scope, *letter) == nullptr;
     const bool names = may_name && !for_now && letter && (said.named || brings_in) &&
-                       !names_coordinates(place.tree, equation) &&
-                       !keeps_a_common_ending(place.tree, equation) && !names_a_surface(place, equation);
+                       !names_coordinates(place.tree, equation) && !keeps_an_operator(place, equation) &&
+                       !names_a_surface(place, equation);
     const bool tries = may_try && !for_now && letter && is_differentiated(place, *letter) &&
                        has_a_function(place.tree, equation.right);
     const bool says = is_about_values(place, equation) || tries ||

@@ -458,6 +458,17 @@ bool begins_a_case(std::string_view clause) {
                                             !is_one_of(words[1], pointing) && !means_all(words[1]));
 }
 
+bool names_another_thing(std::string_view lead) {
+  const auto display = lead.rfind('\n');
+  const auto comma = lead.rfind(',');
+  const std::size_t begin = std::max(display == std::string_view::npos ? 0 : display + 1,
+                                     comma == std::string_view::npos ? 0 : comma + 1);
+  const Words words = words_of(lead.substr(begin));
+  if (words.size() < 3) return false;
+  return is_one_of(words[0], {"while", "whereas", "but"}) ||
+         (words[0] == "and" && is_one_of(words[1], {"a", "an", "another"}));
+}
+
 bool has_own_words(std::string_view lead) {
   static constexpr std::array<std::string_view, 66> pointing{"we",
                                                              "this",

@@ -47,6 +47,9 @@ namespace rigor {
 /// "For a diatomic gas", "In matter", "At the bottom": what begins so is about another case than what is
 /// before.
 [[nodiscard]] bool begins_a_case(std::string_view clause);
+/// "while a thrown ball has", "and a gas of molecules has": the words since the last display speak of
+/// something else than those before.
+[[nodiscard]] bool names_another_thing(std::string_view lead);
 [[nodiscard]] inline bool says_that_it_follows(std::string_view lead) {
   return word_that_concludes(lead).has_value();
 }
