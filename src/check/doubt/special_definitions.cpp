@@ -12,6 +12,7 @@
 #include "base/ascii.h"
 #include "check/prose/other_case.h"
 #include "check/question/decision_cache.h"
+#include "check/word/contrary_words.h"
 #include "check/word/prose_words.h"
 
 namespace rigor {
@@ -68,6 +69,17 @@ bool begins_anew(const Prose& prose, const ProseBeside& earlier, const ProseBesi
          });
 }
 
+/// "while a thrown ball has": a clause between the two displays, or before the second.
+bool turns_to_another_thing(const ProseBeside& said, const ProseBeside& here) {
+  std::string_view rest = here.lead;
+  if (said.sentence == here.sentence) rest.remove_prefix(std::min(said.lead.size(), rest.size()));
+  for (; !rest.empty(); rest.remove_suffix(rest.size() - rest.rfind('\n'))) {
+    if (names_another_thing(rest)) return true;
+    if (rest.rfind('\n') == std::string_view::npos) break;
+  }
+  return false;
+}
+
 /// "We choose units in which", "from now on": a value that holds on, and is no case.
 bool is_said_for_all_below(std::string_view lead) {
   static constexpr auto words = std::to_array<std::string_view>(
@@ -102,8 +114,9 @@ bool is_case_of_another_paragraph(const ExprTree& tree, const Standpoint& at, co
   const ProseBeside& said = at.prose.beside[named.origin.event];
   const ProseBeside& here = at.beside();
   if (named.origin.directive || named.origin.event == at.event) return false;
+  if (names_the_same_owner(lowered(said.lead), lowered(here.lead))) return false;
   const bool value = is_plain_value(tree, named.definition.body) && !is_said_for_all_below(said.lead);
-  if (names_other_units(at.prose, said, here) || (value && names_another_thing(here.lead))) return true;
+  if (names_other_units(at.prose, said, here) || (value && turns_to_another_thing(said, here))) return true;
   return (value || is_said_as_example(said.lead)) && begins_anew(at.prose, said, here);
 }
 

@@ -136,6 +136,14 @@ bool is_kind_shut_out_by(std::string_view said, std::string_view here) {
   return is_shut_out(said, here, false);
 }
 
+bool names_the_same_owner(std::string_view said, std::string_view here) {
+  const std::vector<Owned> first = owned_in(said);
+  return std::ranges::any_of(owned_in(here), [&](const Owned& each) {
+    return std::ranges::any_of(
+        first, [&](const Owned& other) { return other.thing == each.thing && other.owner == each.owner; });
+  });
+}
+
 std::optional<std::string> other_owner(std::string_view said, std::string_view here) {
   const std::vector<Owned> first = owned_in(said);
   for (const Owned& each : owned_in(here)) {

@@ -22,5 +22,7 @@ namespace rigor {
 
 /// "The spin of the photon" below "the spin of the electron": the second owner of one thing.
 [[nodiscard]] std::optional<std::string> other_owner(std::string_view said, std::string_view here);
+/// "The spin of the electron is" and "the spin of the electron gives": both speak of one thing.
+[[nodiscard]] bool names_the_same_owner(std::string_view said, std::string_view here);
 
 }  // namespace rigor
