@@ -18,7 +18,6 @@
 #include "check/doubt/special_definitions.h"
 #include "check/law/from_laws.h"
 #include "check/law/from_set.h"
-#include "check/doubt/special_definitions.h"
 #include "check/place/place.h"
 #include "check/prose/restrictions.h"
 #include "check/prose/said_around.h"
@@ -66,14 +65,15 @@ bool begins_with_a_case(std::string_view lead) {
   return false;
 }
 
-/// "For a disc", "On the way down it is", "Then it runs": a sentence that may speak of something else than the
-/// one before, and concludes nothing.
+/// "For a disc", "On the way down it is", "Then it runs": a sentence that may speak of something else than
+/// the one before, and concludes nothing.
 bool begins_with_a_subject(const RowPlace& place, const StepReading& row) {
   const std::string& lead = beside(place).lead;
   const std::string clause = lowered(lead.substr(lead.rfind('\n') + 1));
   if (row.which > 0 || is_announced(place, row)) return false;
   const std::vector<std::string_view> words = words_of(clause);
-  const bool goes_on_in_time = words.size() > 2 && is_one_of(words[0], {"then", "now", "afterwards", "later"}) &&
+  const bool goes_on_in_time = words.size() > 2 &&
+                               is_one_of(words[0], {"then", "now", "afterwards", "later"}) &&
                                is_one_of(words[1], {"it", "he", "she", "they", "the"});
   if (goes_on_in_time) return true;
   return !announces_a_conclusion(clause) && (begins_with_a_case(lead) || begins_a_case(clause));
@@ -102,8 +102,8 @@ Names as_said_here(RowPlace& place, const StepReading& row) {
   const Standpoint at = standpoint(place, row.parsed);
   Names here = place.names;
   here.scope.definitions.erase_if([&](const NamedDefinition& named) {
-    return !named.origin.directive && (!is_said_for(at, named.origin) ||
-                                       is_case_of_another_paragraph(place.tree, at, named));
+    return !named.origin.directive &&
+           (!is_said_for(at, named.origin) || is_case_of_another_paragraph(place.tree, at, named));
   });
   return here;
 }
