@@ -31,7 +31,8 @@ struct SolvedEquation {
 /// Does the row solve the nearest law with a derivative of x? Put in, the law holds, and the row has as many
 /// independent free constants as the order of the law says, two at most; or it has none, and meets the
 /// initial or boundary conditions among `available`, which leave one solution. So it is what the law leaves
-/// open. `uses` names the law and what else is needed for that. Of x_p it is enough that it solves the law of x.
+/// open. `uses` names the law and what else is needed for that. Of x_p it is enough that it solves the law of
+/// x.
 [[nodiscard]] std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing,
                                               const Laws& available);
 

@@ -167,15 +167,16 @@ bool keeps_an_operator(const RowPlace& place, const Equation& equation) {
     for (const SignedTerm& term : signed_terms(place.tree, side))
       terms.push_back(factors_of_term(place.tree, term.id));
   }
-  const auto is_common = [&](SymbolId each) {
-    return std::ranges::all_of(terms, [&](const Factors& term) { return term.letters.contains(each); });
-  };
+  const auto is_product = [](const Factors& term) { return term.letters.size() > 1; };
+  if (std::ranges::none_of(terms, is_product)) return false;  // `S_{ij} = S_{ji}`
   return std::ranges::any_of(terms.front().letters, [&](SymbolId each) {
     const NameKey* key = key_of(place.names.symbols, each);
     const bool capital = key != nullptr && is_capital_letter(without_labels(key->base));
-    const bool ends =
-        std::ranges::any_of(terms, [&](const Factors& term) { return term.ending == std::optional(each); });
-    return is_common(each) && (capital || ends);
+    const bool common =
+        std::ranges::all_of(terms, [&](const Factors& term) { return term.letters.contains(each); });
+    return common && (capital || std::ranges::any_of(terms, [&](const Factors& term) {
+                        return term.ending == std::optional(each);
+                      }));
   });
 }
 
