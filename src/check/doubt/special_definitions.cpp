@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -59,14 +60,22 @@ bool is_plain_value(const ExprTree& tree, ExprId id) {
   return node.slot_count == 0 && !symbol.derivation && !symbol.integral && !symbol.is_fixed();
 }
 
+/// Those behind the first place, up to that of the second; they have increasing numbers.
+std::span<const ProseSentence> sentences_between(const Prose& prose, const ProseBeside& earlier,
+                                                 const ProseBeside& here) {
+  const auto behind = [&](std::size_t number) {
+    return std::ranges::upper_bound(prose.sentences, number, {}, &ProseSentence::number);
+  };
+  if (here.sentence <= earlier.sentence) return {};
+  return {behind(earlier.sentence), behind(here.sentence)};
+}
+
 /// Does a paragraph with words of its own begin in between? "A ball is dropped, so that $v_0 = 0$. / A ball
 /// that is thrown has".
 bool begins_anew(const Prose& prose, const ProseBeside& earlier, const ProseBeside& here) {
   return here.argument > earlier.argument &&
-         std::ranges::any_of(prose.sentences, [&](const ProseSentence& sentence) {
-           return sentence.number > earlier.sentence && sentence.number <= here.sentence &&
-                  has_own_words(sentence.text);
-         });
+         std::ranges::any_of(sentences_between(prose, earlier, here),
+                             [](const ProseSentence& sentence) { return has_own_words(sentence.text); });
 }
 
 /// "while a thrown ball has": a clause between the two displays, or before the second.
@@ -101,9 +110,8 @@ bool names_other_units(const Prose& prose, const ProseBeside& said, const ProseB
     return std::ranges::any_of(words_of(text), [&](std::string_view word) { return is_one_of(word, these); });
   };
   if (!speaks_of(said.lead, {"units"})) return false;
-  return std::ranges::any_of(prose.sentences, [&](const ProseSentence& sentence) {
-    return sentence.number > said.sentence && sentence.number <= here.sentence &&
-           speaks_of(lowered(sentence.text),
+  return std::ranges::any_of(sentences_between(prose, said, here), [&](const ProseSentence& sentence) {
+    return speaks_of(lowered(sentence.text),
                      {"units", "si", "restoring", "restore", "restored", "reinstating"});
   });
 }
@@ -114,10 +122,12 @@ bool is_case_of_another_paragraph(const ExprTree& tree, const Standpoint& at, co
   const ProseBeside& said = at.prose.beside[named.origin.event];
   const ProseBeside& here = at.beside();
   if (named.origin.directive || named.origin.event == at.event) return false;
-  if (names_the_same_owner(lowered(said.lead), lowered(here.lead))) return false;
-  const bool value = is_plain_value(tree, named.definition.body) && !is_said_for_all_below(said.lead);
-  if (names_other_units(at.prose, said, here) || (value && turns_to_another_thing(said, here))) return true;
-  return (value || is_said_as_example(said.lead)) && begins_anew(at.prose, said, here);
+  const bool value = is_plain_value(tree, named.definition.body);  // few are, and words are dear to read
+  if (value && names_other_units(at.prose, said, here)) return true;
+  const bool as_case = value && !is_said_for_all_below(said.lead);
+  const bool ends = (as_case && turns_to_another_thing(said, here)) ||
+                    (begins_anew(at.prose, said, here) && (as_case || is_said_as_example(said.lead)));
+  return ends && !names_the_same_owner(lowered(said.lead), lowered(here.lead));
 }
 
 bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedDefinition& named) {

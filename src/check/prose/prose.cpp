@@ -398,6 +398,7 @@ class ProseReader {
     texts_.push_back({std::string(inside), relates(inside)});
     if (texts_.back().relates) {
       prose_.said.push_back({{span.file, offset(begin), offset(end)}, cue_, number_, event_, place_});
+      prose_.said.back().argument = argument_;
       prose_.said.back().at_place = at_place_;
       prose_.said.back().maths = texts_.size() - 1;
       if (cue_ == Cue::none && is_named_quantity(word_before_mathematics())) {

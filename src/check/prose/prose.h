@@ -28,6 +28,7 @@ struct SaidInLine {
   std::size_t sentence = 0;
   std::size_t before = 0;  // the event that stands next after it
   std::size_t place = 0;
+  std::size_t argument = 0;              // as in `ProseBeside`
   bool at_place = false;                 // after "at the wall", "on the axis": it holds there only
   bool named = false;                    // "is the frequency": it holds only if it brings in its letter
   std::size_t maths = 0;                 // its number among the mathematics of its sentence

@@ -542,7 +542,7 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
                                     place.sources.line_column(said.span.file, said.span.begin).line),
                 .span = said.span,
                 .place = said.place,
-                .argument = sentence->argument,
+                .argument = said.argument,
                 .of_a_case = !names || word_that_demands(words) || word_of_a_special_case(words),
                 .names_a_letter = brings_in};
     place.found.stated.push_back({.law = std::move(law),

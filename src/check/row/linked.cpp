@@ -2,6 +2,8 @@
 // Rows that hang on others: `a = b \Rightarrow c = d`, `H = T + V, \text{ where } T = …`.
 #include <algorithm>
 #include <array>
+#include <set>
+#include <string>
 
 #include "base/among.h"
 #include "check/place/place.h"
@@ -42,13 +44,17 @@ std::vector<DefinitionBehind> definitions_behind(const RowPlace& place, const Pa
            (syntax[side].kind == SyntaxKind::power &&
             syntax[syntax.child(side, 0)].kind == SyntaxKind::symbol);
   };
+  const std::set<std::string> letters = letters_written_in(syntax, parsed.sides);
+  const auto uses = [&](const ParsedChain& chain) {
+    return std::ranges::includes(letters, letters_written_in(syntax, {chain.sides[0]}));
+  };
   const auto take = [&](const ParsedDisplay& display, bool all, bool own) {
     for (const ParsedChain& chain : display.chains) {
       const bool later = chain.written.span.begin > parsed.written.span.begin;
       const bool names = !chain.written.relations.empty() && is_equality(chain.written.relations[0].kind) &&
                          is_name(chain.sides[0]);
       const bool said = all || chain.written.explains;
-      if (later && names && (said || own)) behind.push_back({&chain, said});
+      if (later && names && (said || (own && uses(chain)))) behind.push_back({&chain, said});
     }
   };
   const std::vector<ProseBeside>& sentences = place.notes.prose.beside;

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/among.h"
-
 #include "check/verdict/antiderivatives.h"
 #include "elaborate/notation/differential.h"
 #include "elaborate/notation/elaborate.h"
@@ -84,20 +84,37 @@ std::string written_step(const ParsedChain& parsed, std::size_t which) {
   return text_of(left) + " " + chain.relations[which].text + " " + text_of(right);
 }
 
-/// An index of a side that neither a sum nor the equation runs over; nothing as a rule. Recursion: as deep as
-/// the tree.
-std::optional<IndexId> unbound_index(const ExprTree& tree, ExprId id, std::vector<IndexId>& bound) {
+/// The indices of a node that no sum below it runs over; each node is visited once. Recursion: as deep as the
+/// tree.
+const std::set<IndexId>& free_indices(const ExprTree& tree, ExprId id,
+                                      std::map<ExprId, std::set<IndexId>>& known) {
+  if (const auto found = known.find(id); found != known.end()) return found->second;
+  std::set<IndexId> free;
   for (const Slot& slot : tree.slots(id)) {
-    if (slot.axis == 0 && !is_one_of(slot.variable, bound)) return slot.variable;
+    if (slot.axis == 0) free.insert(slot.variable);
   }
-  const bool sums = tree[id].op == Op::index_sum;
-  if (sums) bound.push_back(tree[id].index);
-  std::optional<IndexId> found;
   for (const ExprId child : tree.children(id)) {
-    if (!found) found = unbound_index(tree, child, bound);
+    const std::set<IndexId>& below = free_indices(tree, child, known);
+    free.insert(below.begin(), below.end());
   }
-  if (sums) bound.pop_back();
-  return found;
+  if (tree[id].op == Op::index_sum) free.erase(tree[id].index);
+  return known[id] = std::move(free);
+}
+
+/// An index that neither a sum nor the equation runs over; nothing as a rule.
+std::optional<IndexId> unbound_index(const ExprTree& tree, const Equation& equation) {
+  const auto has_index = [&](ExprId id) {
+    return std::ranges::any_of(tree.slots(id), [](const Slot& slot) { return slot.axis == 0; });
+  };
+  if (std::ranges::none_of(nodes_below(tree, {equation.left, equation.right}), has_index))
+    return std::nullopt;
+  std::map<ExprId, std::set<IndexId>> known;
+  for (const ExprId side : {equation.left, equation.right}) {
+    for (const IndexId index : free_indices(tree, side, known)) {
+      if (!is_one_of(index, equation.indices)) return index;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -134,14 +151,11 @@ std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t 
   auto equation = equate(reading_, swapped ? right : left, swapped ? left : right, place);
   if (!equation) return std::nullopt;
   equation->relation = relation_of(relation.kind);
-  for (const ExprId side : {equation->left, equation->right}) {
-    std::vector<IndexId> bound(equation->indices.begin(), equation->indices.end());
-    if (const auto index = unbound_index(tree_, side, bound)) {
-      diagnostics.push_back({DiagnosticKind::ambiguous_reading, relation.span,
-                             fmt::format("`{}` is an index on one side, and nothing says what it runs over",
-                                         tree_.name(*index))});
-      return std::nullopt;
-    }
+  if (const auto index = unbound_index(tree_, *equation)) {
+    diagnostics.push_back({DiagnosticKind::ambiguous_reading, relation.span,
+                           fmt::format("`{}` is an index on one side, and nothing says what it runs over",
+                                       tree_.name(*index))});
+    return std::nullopt;
   }
   const bool unequal = relation.kind == RelationKind::unequal;
   if (is_order(relation.kind) && !unequal && tree_[equation->left].rank > 0) {
