@@ -59,6 +59,14 @@ void check_sections(int sections) {
     std::abort();
 }
 
+/// A macro that is written many times gives one term of many braces.
+void read_braces(int groups) {
+  std::string text = "$$";
+  for (int k = 0; k < groups; ++k) text += "\\beta{a b}";
+  SourceMap sources;
+  static_cast<void>(check_text(sources, "braces.md", text + " = 0$$\n"));
+}
+
 /// Processor time of `work(4 * count)` over that of `work(count)`.
 double growth_by_four(const Growing& growing) {
   const auto least = [&](int size) {
@@ -81,6 +89,7 @@ int main() {
   const Growing all[] = {
       {"where a warning is silenced, for each of 50,000 displays", 50'000, look_up_scopes},
       {"rows and lines of 250 sections", 250, check_sections},
+      {"one term of 1,000 groups in braces", 1'000, read_braces},
   };
   int failed = 0;
   for (const Growing& each : all) {

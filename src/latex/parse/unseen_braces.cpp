@@ -126,22 +126,27 @@ bool is_change(TokenView group) {
 struct Sides {
   const Token* before = nullptr;
   const Token* behind = nullptr;
-  bool acting = false;  // something in the term before it
 };
 
 Sides sides_of(TokenView tokens, std::size_t at, std::size_t next) {
   Sides sides;
+  while (at > 0 && means_nothing(tokens[at - 1])) --at;
+  if (at > 0) sides.before = &tokens[at - 1];
   while (next < tokens.size() && means_nothing(tokens[next])) ++next;
   if (next < tokens.size()) sides.behind = &tokens[next];
+  return sides;
+}
+
+/// Does something act in the term before `at`, or may it: the term is longer than anybody reads?
+bool is_acted_on(TokenView tokens, std::size_t at) {
+  constexpr std::size_t longest = 1000;
   for (std::size_t k = at; k > 0;) {
     const Token& token = tokens[--k];
-    if (means_nothing(token)) continue;
-    if (sides.before == nullptr) sides.before = &token;
-    if (is_sum_sign(token)) break;
+    if (is_sum_sign(token)) return false;
     const bool differential = token.kind == TokenKind::letter && token.text == "d";
-    sides.acting = sides.acting || acts(token) || differential;
+    if (acts(token) || differential || at - k == longest) return true;
   }
-  return sides;
+  return false;
 }
 
 bool ends_term(const Token* token) {
@@ -167,8 +172,8 @@ bool groups_unseen(TokenView tokens, std::size_t at) {
   if (inside.sign && !ends_term(sides.before) && factor_joint(*sides.before) == Joint::none) return true;
   if (inside.acting && !ends_term(sides.behind)) return true;
   if (!several) return false;
-  if (divides || sides.acting) return true;
-  return inside.joined && (!ends_term(sides.before) || !ends_term(sides.behind));
+  if (divides || (inside.joined && (!ends_term(sides.before) || !ends_term(sides.behind)))) return true;
+  return is_acted_on(tokens, at);
 }
 
 bool stacks_powers(TokenView tokens, std::size_t at) {
