@@ -17,6 +17,7 @@
 #include "algebra/rough/rough_screen.h"
 #include "algebra/sample/refute.h"
 #include "algebra/words/operator_question.h"
+#include "algebra/words/sized_question.h"
 
 namespace rigor {
 namespace {
@@ -372,6 +373,15 @@ Decision Decider::decide() {
 
 namespace {
 
+/// The sample's numbers are put in again, as anybody can.
+[[nodiscard]] Decision confirmed(const Question& question, Decision decision) {
+  const auto sides = replay(question, *decision.sample);
+  if (!sides) return undecided("a counterexample was found, but putting it in again did not confirm it");
+  decision.sample->left = sides->left;
+  decision.sample->right = sides->right;
+  return decision;
+}
+
 /// The answer to the question about both parts, with complex values in its sample.
 Decision decide_in_parts(const Question& question, const Limits& limits) {
   const RealQuestion real = in_real_parts(question);
@@ -379,13 +389,38 @@ Decision decide_in_parts(const Question& question, const Limits& limits) {
   of_parts.sign_cases = false;
   Decision decision = decide(real.question, of_parts);
   if (!decision.sample) return decision;
-  Sample sample = without_part(with_complex_values(*std::move(decision.sample), real), real);
-  const auto sides = replay(question, sample);
-  if (!sides) return undecided("a counterexample was found, but putting it in again did not confirm it");
-  sample.left = sides->left;
-  sample.right = sides->right;
-  decision.sample = std::move(sample);
-  return decision;
+  decision.sample = without_part(with_complex_values(*std::move(decision.sample), real), real);
+  return confirmed(question, std::move(decision));
+}
+
+/// A statement about matrices of any size, by those of two rows. One that fails for these and holds for three
+/// may be meant for three, and the other way round: it has to fail for both.
+[[nodiscard]] std::optional<Decision> refuted_at_sizes(const Question& question, const Limits& limits) {
+  if (limits.only_proofs || question.claim.relation != Relation::equal) return std::nullopt;
+  Limits cheap = limits;
+  cheap.expanded_terms = cheap_terms;
+  std::optional<Decision> refutation;
+  for (const int rows : {3, 2}) {
+    const auto at = at_size(question, rows);
+    if (!at || at->sized.empty()) return std::nullopt;
+    cheap.simplest_sample = limits.simplest_sample && rows == 2;
+    Decision decision = decide(at->question, cheap);
+    if (decision.outcome != Outcome::refuted) return std::nullopt;
+    decision.sample = unsized(*std::move(decision.sample), *at);
+    refutation = std::move(decision);
+  }
+  return confirmed(question, *std::move(refutation));
+}
+
+[[nodiscard]] Decision decide_about_operators(const Question& question, const Limits& limits) {
+  try {
+    return decide_operators(question, limits, [](const Question& numbers, const Limits& most) {
+      return rigor::decide(numbers, most);
+    });
+  } catch (const Undecidable& reason) {
+    if (auto refutation = refuted_at_sizes(question, limits)) return *std::move(refutation);
+    return undecided(reason.what());
+  }
 }
 
 }  // namespace
@@ -395,11 +430,7 @@ Decision decide(const Question& question, const Limits& limits) {
   Limits counted = limits;
   if (counted.budget == nullptr) counted.budget = &own;
   try {
-    if (is_about_operators(question)) {
-      return decide_operators(question, counted, [](const Question& numbers, const Limits& most) {
-        return rigor::decide(numbers, most);
-      });
-    }
+    if (is_about_operators(question)) return decide_about_operators(question, counted);
     if (is_about_complex(question)) return decide_in_parts(question, counted);
     return Decider(question, counted).decide();
   } catch (const Undecidable& reason) {

@@ -9,6 +9,7 @@
 #include "algebra/sample/refute.h"
 #include "algebra/sample/sample_text.h"
 #include "algebra/words/operator_question.h"
+#include "algebra/words/sized_question.h"
 #include "base/among.h"
 
 namespace rigor {
@@ -103,7 +104,11 @@ constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at
 }  // namespace
 
 Replay replay_closely(const Question& question, const Sample& sample) {
-  if (is_about_operators(question)) return fault(Replay::Fault::undefined);  // they have no values
+  if (is_about_operators(question)) {  // matrices have values, other operators none
+    const auto at = at_size(question, std::max(rows_of_sample(*question.tree, sample), 1));
+    if (!at || at->sized.empty()) return fault(Replay::Fault::undefined);
+    return replay_closely(at->question, sized(sample, *at));
+  }
   if (is_about_complex(question)) {
     try {
       return replay_in_parts(question, sample);
@@ -193,7 +198,15 @@ std::vector<SampleValue> following_values(const Question& question, const Sample
 }
 
 std::vector<SymbolId> symbols_of_sample(const Question& question) {
-  if (is_about_operators(question)) return {};
+  if (is_about_operators(question)) {
+    const auto at = at_size(question, 2);
+    if (!at) return {};
+    std::vector<SymbolId> symbols = symbols_of_sample(at->question);
+    for (SymbolId& symbol : symbols) {
+      for (const auto& [letter, made] : at->sized) symbol = symbol == made ? letter : symbol;
+    }
+    return symbols;
+  }
   if (is_about_complex(question)) {
     try {
       return symbols_of_sample(in_real_parts(question).question);

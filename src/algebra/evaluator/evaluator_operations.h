@@ -63,6 +63,10 @@ auto Evaluator<Domain>::scalar(ExprId id) -> Number {
     case Op::real_part:
     case Op::imaginary_part:  // `in_real_parts` leaves none of them
       throw Undecidable("complex numbers are not evaluated here");
+    case Op::transpose:
+    case Op::trace:
+    case Op::matrix_determinant:  // `at_size` leaves none of them
+      throw Undecidable("matrices of unknown size are not evaluated here");
     case Op::table:
       return scalar(child(id, tree_->table(id).entry[slot_position(id)]));
     case Op::basis:

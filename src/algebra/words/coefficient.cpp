@@ -77,6 +77,19 @@ std::uint32_t CommutingParts::number_of(ExprId part) {
   return at->second;
 }
 
+std::uint32_t CommutingParts::number_named(const std::string& name) {
+  const auto [at, is_new] = named_.try_emplace(name, static_cast<std::uint32_t>(parts_.size()));
+  if (!is_new) return at->second;
+  Symbol symbol;
+  symbol.name = name;
+  symbol.made_at = tree_.size();
+  const SymbolId made = tree_.symbols.add(std::move(symbol));
+  const ExprId part = tree_.add({.op = Op::symbol, .symbol = made});
+  parts_.push_back(part);
+  numbers_.emplace(dump(tree_, part), at->second);
+  return at->second;
+}
+
 std::uint32_t CommutingParts::conjugate_of(std::uint32_t number) {
   const ExprId part = parts_[number];
   if (!has_complex_numbers(tree_, part)) return number;

@@ -30,6 +30,8 @@ class CommutingParts {
   explicit CommutingParts(ExprTree& tree);
 
   [[nodiscard]] std::uint32_t number_of(ExprId part);
+  /// Of a number that has this name here alone, such as a trace; not complex.
+  [[nodiscard]] std::uint32_t number_named(const std::string& name);
   [[nodiscard]] ExprId part(std::uint32_t number) const { return parts_[number]; }
   /// The number of the complex conjugate; of a real part its own.
   [[nodiscard]] std::uint32_t conjugate_of(std::uint32_t number);
@@ -42,6 +44,7 @@ class CommutingParts {
   ExprTree& tree_;
   std::vector<ExprId> parts_;
   std::unordered_map<std::string, std::uint32_t> numbers_;  // by dump
+  std::unordered_map<std::string, std::uint32_t> named_;
 };
 
 /// Numbers of parts with their exponents, which are not 0, by ascending number.

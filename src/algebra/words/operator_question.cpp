@@ -9,6 +9,7 @@
 
 #include "algebra/engine/budget.h"
 #include "algebra/engine/undecidable.h"
+#include "algebra/words/matrix_parts.h"
 #include "algebra/words/word_reader.h"
 #include "algebra/words/word_rules.h"
 
@@ -66,34 +67,59 @@ void for_each_difference(OwnQuestion& own, WordReader& reader, const Equation& e
   }
 }
 
-[[nodiscard]] bool has_adjoints(const Question& question) {
-  std::vector<ExprId> roots{question.claim.left, question.claim.right};
-  for (const Equation& each : question.assumptions) roots.insert(roots.end(), {each.left, each.right});
-  for (const Definition& each : question.definitions) roots.push_back(each.body);
-  return std::ranges::any_of(nodes_below(*question.tree, roots),
-                             [&](ExprId id) { return (*question.tree)[id].op == Op::conjugate; });
+/// Laws of numbers that are made of matrices, `x^Tx = 1`: each vanishes, and by which assumption.
+using NumberLaws = std::vector<std::pair<ExprId, std::size_t>>;
+
+/// `xy = 1` of square matrices is `yx = 1` as well. Nothing: the law is another one.
+[[nodiscard]] std::optional<WordSum> turned_inverse(const WordSum& zero, const WordReader& reader) {
+  const Word& word = std::prev(zero.end())->first;
+  const bool fits =
+      zero.size() == 2 && zero.begin()->first.empty() && word.size() == 2 &&
+      std::ranges::all_of(word, [&](const Letter& each) { return reader.is_square(each.symbol); });
+  if (!fits) return std::nullopt;
+  WordSum turned{{Word{word[1], word[0]}, std::prev(zero.end())->second}};
+  add_to(turned, {*zero.begin()});
+  return turned;
 }
 
-/// What is equal has equal adjoints, so each law gives two rules.
-void add_rule(OwnQuestion& own, WordReader& reader, std::size_t which, bool adjoints, WordRules& rules) {
-  for_each_difference(own, reader, own.question.assumptions[which], [&](WordSum zero) {
-    if (adjoints) rules.add(adjoint(zero, own.parts), {which});
-    rules.add(std::move(zero), {which});
+/// What is equal has equal adjoints and transposes, so each law gives more rules.
+void add_law(WordSum zero, const Positions& by, const WordReader& reader, OwnQuestion& own,
+             WordRules& rules) {
+  std::vector<WordSum> laws{std::move(zero)};
+  if (const auto turned = laws[0].empty() ? std::nullopt : turned_inverse(laws[0], reader))
+    laws.push_back(*turned);
+  const std::size_t count = laws.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    if (reader.has_adjoints()) laws.push_back(adjoint(laws[k], own.parts));
+    if (reader.has_transposes()) laws.push_back(transpose(laws[k]));
+  }
+  for (WordSum& law : laws) rules.add(std::move(law), by);
+}
+
+void add_rule(OwnQuestion& own, WordReader& reader, std::size_t which, WordRules& rules,
+              NumberLaws* numbers) {
+  for_each_difference(own, reader, own.question.assumptions[which], [&](const WordSum& difference) {
+    WordSum zero = with_numbers_out(difference, own.parts);
+    const bool number = zero.size() == 1 && zero.begin()->first.empty();
+    if (number && numbers != nullptr) {
+      const Span span = (*own.tree)[own.question.claim.left].span;
+      numbers->emplace_back(as_expression(zero.begin()->second, own.parts, span), which);
+      return;
+    }
+    add_law(std::move(zero), {which}, reader, own, rules);
   });
 }
 
 void add_rules(OwnQuestion& own, WordReader& reader, const Positions& assumptions, WordRules& rules) {
-  const bool adjoints = has_adjoints(own.question);
-  for (const std::size_t which : assumptions) add_rule(own, reader, which, adjoints, rules);
+  for (const std::size_t which : assumptions) add_rule(own, reader, which, rules, nullptr);
 }
 
 /// Without those that are no rules, such as `e^{i\hat p}\hat x = …`: fewer laws prove less.
 void add_rules_that_can_be_read(OwnQuestion& own, WordReader& reader, const Positions& assumptions,
-                                WordRules& rules) {
-  const bool adjoints = has_adjoints(own.question);
+                                WordRules& rules, NumberLaws& numbers) {
   for (const std::size_t which : assumptions) {
     try {
-      add_rule(own, reader, which, adjoints, rules);
+      add_rule(own, reader, which, rules, &numbers);
     } catch (const Contradiction&) {
       throw;
     } catch (const Undecidable&) {
@@ -115,6 +141,25 @@ void complete_as_far_as_possible(WordRules& rules) {
 void complete_to_the_end(WordRules& rules) {
   static_cast<void>(rules.commute_the_rest());
   rules.complete();
+}
+
+/// The differences of the sides in a normal form. Inverses that are read on the way add rules.
+[[nodiscard]] std::vector<WordSum> normal_differences(OwnQuestion& own, WordReader& reader,
+                                                      const Equation& equation, WordRules& rules,
+                                                      Positions& used) {
+  const std::size_t known = reader.inverses().size();
+  for_each_difference(own, reader, equation, [](const WordSum&) {});
+  for (std::size_t k = known; k < reader.inverses().size(); ++k)
+    add_law(reader.inverses()[k], {}, reader, own, rules);
+  if (reader.inverses().size() > known) complete_as_far_as_possible(rules);
+  reader.reduce_by(&rules);
+  std::vector<WordSum> all;
+  for_each_difference(own, reader, equation, [&](WordSum difference) {
+    all.push_back(with_numbers_out(rules.reduce(std::move(difference), used), own.parts));
+  });
+  reader.reduce_by(nullptr);
+  used.insert(reader.used().begin(), reader.used().end());
+  return all;
 }
 
 /// The equations between operators, and all else that is assumed.
@@ -170,18 +215,18 @@ class WordAttempt {
   [[nodiscard]] std::optional<WordProof> run(Unfolding unfolding, bool by_laws) {
     WordReader reader(own_.question, own_.parts, unfolding, *limits_.budget);
     WordRules rules(*limits_.budget);
+    numbers_.clear();
     if (by_laws) {
-      add_rules_that_can_be_read(own_, reader, sorted_.of_operators, rules);
+      add_rules_that_can_be_read(own_, reader, sorted_.of_operators, rules, numbers_);
       complete_as_far_as_possible(rules);
     }
     WordProof proof;
-    bool holds = true;
-    for_each_difference(own_, reader, own_.question.claim, [&](const WordSum& difference) {
-      if (!holds) return;
-      for (const auto& [word, coefficient] : rules.reduce(difference, proof.assumptions))
-        holds = holds && vanishes(coefficient, proof);
-    });
-    if (!holds) return std::nullopt;
+    for (const WordSum& difference :
+         normal_differences(own_, reader, own_.question.claim, rules, proof.assumptions)) {
+      for (const auto& [word, coefficient] : difference) {
+        if (!vanishes(coefficient, proof)) return std::nullopt;
+      }
+    }
     Equation left_only = own_.question.claim;
     left_only.right = own_.tree->add_number((*own_.tree)[left_only.left].span, "0");
     proof.vanishes = (*own_.tree)[left_only.left].rank == 0;
@@ -199,10 +244,14 @@ class WordAttempt {
     const Span span = (*own_.tree)[own_.question.claim.left].span;
     question.claim.left = as_expression(coefficient, own_.parts, span);
     question.claim.right = own_.tree->add_number(span, "0");
+    for (const auto& [zero, which] : numbers_)
+      question.assumptions.push_back({.left = zero, .right = question.claim.right});
     const Decision decision = decide_(question, limits_);
     if (decision.outcome != Outcome::proved) return false;
     proof.unfolded.insert(decision.unfolded.begin(), decision.unfolded.end());
-    for (const std::size_t which : decision.assumptions) proof.assumptions.insert(sorted_.of_numbers[which]);
+    const std::size_t count = sorted_.of_numbers.size();
+    for (const std::size_t which : decision.assumptions)
+      proof.assumptions.insert(which < count ? sorted_.of_numbers[which] : numbers_[which - count].second);
     return true;
   }
 
@@ -210,6 +259,7 @@ class WordAttempt {
   const SortedAssumptions& sorted_;
   const Limits& limits_;
   const DecideNumbers& decide_;
+  NumberLaws numbers_;
 };
 
 [[nodiscard]] Decision proved_in_words(const WordProof& found) {
@@ -301,15 +351,12 @@ std::optional<std::string> multiple_in_words(const Question& question, const Equ
     const SortedAssumptions sorted = sorted_assumptions(own.question);
     WordReader reader(own.question, own.parts, Unfolding::all, *limits.budget);
     WordRules rules(*limits.budget);
-    add_rules_that_can_be_read(own, reader, sorted.of_operators, rules);
+    NumberLaws numbers;
+    add_rules_that_can_be_read(own, reader, sorted.of_operators, rules, numbers);
     complete_as_far_as_possible(rules);
     Positions used;
-    std::vector<WordSum> differences;
-    std::vector<WordSum> terms;
-    for_each_difference(own, reader, own.question.claim,
-                        [&](WordSum each) { differences.push_back(rules.reduce(std::move(each), used)); });
-    for_each_difference(own, reader, term,
-                        [&](WordSum each) { terms.push_back(rules.reduce(std::move(each), used)); });
+    const std::vector<WordSum> differences = normal_differences(own, reader, own.question.claim, rules, used);
+    const std::vector<WordSum> terms = normal_differences(own, reader, term, rules, used);
     if (differences.size() != terms.size()) return std::nullopt;
     std::optional<WordFraction> ratio;
     bool multiple = true;
@@ -331,16 +378,15 @@ bool holds_in_words(const Question& question, const Limits& limits) {
     const SortedAssumptions sorted = sorted_assumptions(own.question);
     WordReader reader(own.question, own.parts, Unfolding::all, *limits.budget);
     WordRules rules(*limits.budget);
-    add_rules_that_can_be_read(own, reader, sorted.of_operators, rules);
+    NumberLaws numbers;
+    add_rules_that_can_be_read(own, reader, sorted.of_operators, rules, numbers);
     complete_as_far_as_possible(rules);
-    bool holds = true;
-    for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
-      Positions used;
-      const WordSum left = rules.reduce(difference, used);
-      holds = holds && std::ranges::all_of(
-                           left, [&](const auto& each) { return is_nearly_zero(each.second, own.parts); });
+    Positions used;
+    const std::vector<WordSum> left = normal_differences(own, reader, own.question.claim, rules, used);
+    return std::ranges::all_of(left, [&](const WordSum& sum) {
+      return std::ranges::all_of(sum,
+                                 [&](const auto& each) { return is_nearly_zero(each.second, own.parts); });
     });
-    return holds;
   } catch (const Undecidable&) {
     return false;
   }

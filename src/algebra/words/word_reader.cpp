@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "algebra/engine/undecidable.h"
+#include "algebra/words/matrix_parts.h"
 
 namespace rigor {
 namespace {
@@ -39,12 +40,39 @@ constexpr int largest_power = 16;
 
 WordReader::WordReader(const Question& question, CommutingParts& parts, Unfolding unfolding, Budget& budget)
     : question_(question), parts_(parts), unfolding_(unfolding), budget_(budget) {
+  see_squares();
   if (unfolding != Unfolding::unspoken) return;
   for (const Equation& assumption : question.assumptions) {
     for (const ExprId side : {assumption.left, assumption.right}) {
       const std::vector<SymbolId> own = symbols_in(*question.tree, side);
       spoken_of_.insert(own.begin(), own.end());
     }
+  }
+}
+
+/// Where the inverse, a power, the trace or the determinant of a matrix is written, it is square; and where
+/// an inverse is, it has one.
+void WordReader::see_squares() {
+  std::vector<ExprId> roots{question_.claim.left, question_.claim.right};
+  for (const Equation& each : question_.assumptions) roots.insert(roots.end(), {each.left, each.right});
+  for (const Definition& each : question_.definitions) roots.push_back(each.body);
+  for (const ExprId id : nodes_below(tree(), roots)) {
+    const ExprNode& node = tree()[id];
+    transposes_ = transposes_ || node.op == Op::transpose;
+    adjoints_ = adjoints_ || node.op == Op::conjugate;
+    const bool inverts = (node.op == Op::power && node.exponent < 0) || node.op == Op::divide;
+    const bool asks =
+        inverts || node.op == Op::power || node.op == Op::trace || node.op == Op::matrix_determinant;
+    if (node.op == Op::symbol && tree().symbols[node.symbol].unsized == Unsized::square)
+      square_.insert(node.symbol);
+    if (!asks) continue;
+    ExprId of = tree().children(id).back();
+    while (tree()[of].op == Op::transpose) of = tree().children(of)[0];
+    if (tree()[of].op != Op::symbol) continue;
+    const Unsized kind = tree().symbols[tree()[of].symbol].unsized;
+    if (kind == Unsized::none || kind == Unsized::oblong) continue;
+    square_.insert(tree()[of].symbol);
+    if (inverts) inverted_.insert(tree()[of].symbol);
   }
 }
 
@@ -78,6 +106,15 @@ std::vector<WordSum> WordReader::read(ExprId id, const AxesOfIndices& axes) {
       for (WordSum& each : all) each = adjoint(each, parts_);
       return all;
     }
+    case Op::transpose: {
+      Components all = read(children[0], axes);
+      for (WordSum& each : all) each = transpose(each);
+      return all;
+    }
+    case Op::trace:
+      return {scalar(trace_of(reduced(read_scalar(children[0], axes)), parts_))};
+    case Op::matrix_determinant:
+      return {scalar(determinant_of(reduced(read_scalar(children[0], axes)), square_, parts_))};
     case Op::multiply:
       return product(id, axes);
     case Op::dot:
@@ -112,9 +149,26 @@ std::vector<WordSum> WordReader::read(ExprId id, const AxesOfIndices& axes) {
       return total;
     }
     default:
+      if (auto number = function_of_numbers(id, axes)) return {*std::move(number)};
       break;
   }
   throw Undecidable("operators are read in sums, products, powers, commutators and adjoints only");
+}
+
+/// `\sqrt{x^Tx}`, `\ln\det A`: of numbers that matrices make. Nothing where an operator is left.
+std::optional<WordSum> WordReader::function_of_numbers(ExprId id, const AxesOfIndices& axes) {
+  const ExprNode node = tree()[id];
+  const bool fits =
+      node.op == Op::root || node.op == Op::function || node.op == Op::absolute || node.op == Op::real_power;
+  if (!fits) return std::nullopt;
+  std::vector<ExprId> children;
+  for (const ExprId child : std::vector<ExprId>(tree().children(id).begin(), tree().children(id).end())) {
+    const WordSum inside = with_numbers_out(reduced(read_scalar(child, axes)), parts_);
+    if (inside.size() > 1 || (inside.size() == 1 && !inside.begin()->first.empty())) return std::nullopt;
+    children.push_back(
+        as_expression(inside.empty() ? Coefficient{} : inside.begin()->second, parts_, node.span));
+  }
+  return scalar(power_of_part(parts_.number_of(parts_.tree().add(node, children)), 1));
 }
 
 /// Is there an operator in it, or in what defines a symbol of it?
@@ -317,21 +371,76 @@ WordSum WordReader::power(ExprId id, const AxesOfIndices& axes) {
   return total;
 }
 
-/// 1/x of a number, or of a product of operators, whose inverses come in the other order.
+/// 1/x of a number, or of operators.
 WordSum WordReader::quotient(ExprId id, const AxesOfIndices& axes) {
-  const WordSum below = read_scalar(id, axes);
+  WordSum below = read_scalar(id, axes);
   if (below.empty()) throw Undecidable("it divides by zero");
-  if (below.size() == 1) {
-    const auto& [word, coefficient] = *below.begin();
-    const Coefficient reciprocal = inverse(coefficient, false);
-    if (!reciprocal.empty()) {
-      Word turned(word.rbegin(), word.rend());
-      for (Letter& letter : turned) letter.inverse = !letter.inverse;
-      return {{std::move(turned), reciprocal}};
-    }
+  if (below.size() == 1 && below.begin()->first.empty()) {
+    const Coefficient reciprocal = inverse(below.begin()->second, false);
+    if (!reciprocal.empty()) return scalar(reciprocal);
   }
-  if (reaches_operators(id)) throw Undecidable("the inverse of a sum of operators is not decided");
-  return scalar(power_of_part(parts_.number_of(at_axes(id, axes)), -1));
+  if (!reaches_operators(id)) return scalar(power_of_part(parts_.number_of(at_axes(id, axes)), -1));
+  return inverse_of(with_numbers_out(reduced(std::move(below)), parts_));
+}
+
+/// The inverse of a product is that of its factors in the other order, if these have one.
+WordSum WordReader::inverse_of(const WordSum& below) {
+  if (below.empty()) throw Undecidable("it divides by zero");
+  if (below.size() > 1) return inverse_letter(below);
+  const auto& [word, coefficient] = *below.begin();
+  if (word.empty()) {
+    const Span span = tree()[question_.claim.left].span;
+    const Coefficient reciprocal = inverse(coefficient, false);
+    return scalar(reciprocal.empty()
+                      ? power_of_part(parts_.number_of(as_expression(coefficient, parts_, span)), -1)
+                      : reciprocal);
+  }
+  const Coefficient reciprocal = inverse(coefficient, false);
+  const bool separate = std::ranges::all_of(word, [&](const Letter& letter) {
+    return tree().symbols[letter.symbol].unsized == Unsized::none || inverted_.contains(letter.symbol);
+  });
+  if (reciprocal.empty() || !separate) return inverse_letter(below);
+  Word turned(word.rbegin(), word.rend());
+  for (Letter& letter : turned) letter.inverse = !letter.inverse;
+  return {{std::move(turned), reciprocal}};
+}
+
+/// S of (A + B)⁻¹ and (MᵀM)⁻¹. Of what is its own transpose the inverse is, too.
+WordSum WordReader::inverse_letter(const WordSum& below) {
+  const auto letter = [](SymbolId symbol, bool turned) {
+    return WordSum{{Word{Letter{.symbol = symbol, .transpose = turned}}, rational({1, 1})}};
+  };
+  const WordSum turned = transpose(below);
+  for (const auto& [known, symbol] : inverse_letters_) {
+    if (known == below) return letter(symbol, false);
+    if (known == turned) return letter(symbol, true);
+  }
+  if (inverse_letters_.size() >= 4)
+    throw Undecidable("so many inverses of sums of operators are not decided");
+  ExprTree& own = parts_.tree();
+  Symbol made;
+  made.name = "(" + std::to_string(inverse_letters_.size()) + ")^{-1}";
+  made.noncommuting = true;
+  made.unsized = Unsized::square;
+  made.made_at = own.size();
+  const SymbolId symbol = own.symbols.add(std::move(made));
+  square_.insert(symbol);
+  inverse_letters_.emplace_back(below, symbol);
+  const WordSum inverse = letter(symbol, false);
+  for (WordSum one : {times(below, inverse), times(inverse, below)}) {
+    add_to(one, scalar(rational({-1, 1})));
+    inverse_laws_.push_back(std::move(one));
+  }
+  if (transposes_ && turned == below) {
+    WordSum same = letter(symbol, true);
+    add_to(same, opposite(inverse));
+    inverse_laws_.push_back(std::move(same));
+  }
+  return inverse;
+}
+
+WordSum WordReader::reduced(WordSum sum) {
+  return rules_ == nullptr ? sum : rules_->reduce(std::move(sum), used_);
 }
 
 std::uint8_t WordReader::axis_of(const Slot& slot, const AxesOfIndices& axes) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra/engine/budget.h"
+#include "algebra/words/word_rules.h"
 #include "algebra/words/word_sum.h"
 #include "expr/statement/statement.h"
 
@@ -32,6 +33,16 @@ class WordReader {
 
   /// One sum for a scalar, one for each axis for a vector.
   [[nodiscard]] std::vector<WordSum> read(ExprId id, const AxesOfIndices& axes);
+  /// What is 0 by the meaning of inverses that were read: 1/W of a sum or product W is a letter S, with
+  /// WS = SW = 1.
+  [[nodiscard]] const std::vector<WordSum>& inverses() const { return inverse_laws_; }
+  [[nodiscard]] bool has_transposes() const { return transposes_; }
+  [[nodiscard]] bool has_adjoints() const { return adjoints_; }
+  [[nodiscard]] bool is_square(SymbolId matrix) const { return square_.contains(matrix); }
+  /// Brings what is in traces, determinants and inverses into a normal form from here on.
+  void reduce_by(const WordRules* rules) { rules_ = rules; }
+  /// What was used for that.
+  [[nodiscard]] const Positions& used() const { return used_; }
   /// The definitions that were needed.
   [[nodiscard]] const std::set<SymbolId>& unfolded() const { return unfolded_; }
 
@@ -39,8 +50,10 @@ class WordReader {
   using Components = std::vector<WordSum>;
 
   [[nodiscard]] const ExprTree& tree() const { return parts_.tree(); }
+  void see_squares();
   [[nodiscard]] bool unfolds(SymbolId symbol) const;
   [[nodiscard]] bool reaches_operators(ExprId id);
+  [[nodiscard]] std::optional<WordSum> function_of_numbers(ExprId id, const AxesOfIndices& axes);
   [[nodiscard]] Components commuting(ExprId id, const AxesOfIndices& axes);
   [[nodiscard]] WordSum read_scalar(ExprId id, const AxesOfIndices& axes);
   [[nodiscard]] Components symbol(ExprId id, const AxesOfIndices& axes);
@@ -49,6 +62,9 @@ class WordReader {
   [[nodiscard]] Components dot_or_cross(ExprId id, const AxesOfIndices& axes);
   [[nodiscard]] WordSum power(ExprId id, const AxesOfIndices& axes);
   [[nodiscard]] WordSum quotient(ExprId id, const AxesOfIndices& axes);
+  [[nodiscard]] WordSum inverse_of(const WordSum& below);
+  [[nodiscard]] WordSum inverse_letter(const WordSum& below);
+  [[nodiscard]] WordSum reduced(WordSum sum);
   [[nodiscard]] std::optional<ExprId> squared(ExprId id);
   [[nodiscard]] WordSum dot(ExprId left, ExprId right, const AxesOfIndices& axes);
   [[nodiscard]] std::uint8_t axis_of(const Slot& slot, const AxesOfIndices& axes) const;
@@ -59,6 +75,14 @@ class WordReader {
   Unfolding unfolding_;
   Budget& budget_;
   std::set<SymbolId> spoken_of_;  // by assumptions
+  std::set<SymbolId> square_;     // matrices that a trace, a power or an inverse is taken of
+  std::set<SymbolId> inverted_;   // matrices of which an inverse is written
+  bool transposes_ = false;       // the question has some
+  bool adjoints_ = false;
+  std::vector<std::pair<WordSum, SymbolId>> inverse_letters_;
+  std::vector<WordSum> inverse_laws_;
+  const WordRules* rules_ = nullptr;
+  Positions used_;
   std::map<ExprId, bool> reaching_;
   std::set<SymbolId> unfolded_;
   std::set<SymbolId> opened_;  // definitions that are being read

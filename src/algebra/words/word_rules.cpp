@@ -58,6 +58,16 @@ WordSum WordRules::reduce(WordSum sum, Positions& used) const {
   return normal;
 }
 
+/// What `append` does of its own is a rule where other rules meet it.
+void WordRules::add_cancelling(const Letter& letter) {
+  Letter other = letter;
+  other.inverse = !other.inverse;
+  for (Word from : {Word{letter, other}, Word{other, letter}}) {
+    const bool known = std::ranges::any_of(rules_, [&](const WordRule& rule) { return rule.from == from; });
+    if (!known) rules_.push_back({std::move(from), scalar(rational({1, 1})), {}});
+  }
+}
+
 void WordRules::add(WordSum zero, Positions by) {
   zero = reduce(std::move(zero), by);
   if (zero.empty()) return;
@@ -65,11 +75,11 @@ void WordRules::add(WordSum zero, Positions by) {
   if (greatest->first.empty()) throw Contradiction();  // or they hold for some numbers only
   const Coefficient reciprocal = inverse(greatest->second, true);
   if (reciprocal.empty()) throw Undecidable("a law for its operators has a factor that may be zero");
-  const auto has_inverse = [](const auto& each) {
-    return std::ranges::any_of(each.first, [](const Letter& letter) { return letter.inverse; });
-  };
-  if (std::ranges::any_of(zero, has_inverse))
-    throw Undecidable("laws with inverses of operators are not used yet");
+  for (const auto& [word, coefficient] : zero) {
+    for (const Letter& letter : word) {
+      if (letter.inverse) add_cancelling(letter);
+    }
+  }
   if (rules_.size() >= most_rules) throw Undecidable("the laws for its operators lead to too many others");
   Word from = greatest->first;
   zero.erase(greatest);

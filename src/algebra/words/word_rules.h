@@ -41,6 +41,7 @@ class WordRules {
   [[nodiscard]] const std::vector<WordRule>& rules() const { return rules_; }
 
  private:
+  void add_cancelling(const Letter& letter);
   [[nodiscard]] const WordRule* fitting(const Word& word, std::size_t& at) const;
   void add_ends_of(const WordRule& first, const WordRule& second);
 

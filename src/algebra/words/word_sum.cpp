@@ -71,6 +71,18 @@ WordSum adjoint(const WordSum& a, CommutingParts& parts) {
   return result;
 }
 
+Word transpose(const Word& word) {
+  Word turned(word.rbegin(), word.rend());
+  for (Letter& letter : turned) letter.transpose = !letter.transpose;
+  return turned;
+}
+
+WordSum transpose(const WordSum& a) {
+  WordSum result;
+  for (const auto& [word, coefficient] : a) add_word(result, transpose(word), coefficient);
+  return result;
+}
+
 WordSum between(const Word& u, const WordSum& a, const Word& v) {
   WordSum result;
   for (const auto& [word, coefficient] : a) {

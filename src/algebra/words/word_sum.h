@@ -12,12 +12,13 @@
 
 namespace rigor {
 
-/// An operator, its adjoint or its inverse. `component` counts from 1; 0: it is no component.
+/// An operator, its adjoint, its transpose or its inverse. `component` counts from 1; 0: it is no component.
 struct Letter {
   SymbolId symbol{};
   std::uint8_t component = 0;
   bool inverse = false;
   bool adjoint = false;
+  bool transpose = false;
   friend auto operator<=>(const Letter&, const Letter&) = default;
 };
 
@@ -40,6 +41,9 @@ void add_to(WordSum& into, const WordSum& more);
 [[nodiscard]] WordSum opposite(const WordSum& a);
 /// (AB)† = B†A†, and numbers are conjugated.
 [[nodiscard]] WordSum adjoint(const WordSum& a, CommutingParts& parts);
+/// (AB)ᵀ = BᵀAᵀ
+[[nodiscard]] WordSum transpose(const WordSum& a);
+[[nodiscard]] Word transpose(const Word& word);
 /// u·a·v
 [[nodiscard]] WordSum between(const Word& u, const WordSum& a, const Word& v);
 

@@ -117,7 +117,12 @@ DimensionForm DimensionReader::compute(ExprId id) {
     case Op::imaginary_part:
     case Op::index_sum:
     case Op::particle_sum:
+    case Op::transpose:
+    case Op::trace:
       return read(tree_.children(id)[0]);
+    case Op::matrix_determinant:
+      form.any = true;  // a power that the unknown size says
+      return form;
     case Op::determinant:
       return determinant(id);
     case Op::function:

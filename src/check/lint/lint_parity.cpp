@@ -164,7 +164,11 @@ class ParityReader {
       case Op::imaginary_part:
       case Op::index_sum:
       case Op::particle_sum:
+      case Op::transpose:
+      case Op::trace:
         return product(children);
+      case Op::matrix_determinant:
+        return Parity{};
       case Op::power:
         return node.exponent % 2 == 0 ? Parity{} : known_.at(children[0]);
       case Op::function:

@@ -9,6 +9,7 @@
 #include "algebra/words/operator_question.h"
 #include "check/question/decision_cache.h"
 #include "expr/tree/same_expression.h"
+#include "expr/tree/unsized.h"
 
 namespace rigor {
 namespace {
@@ -259,18 +260,38 @@ bool are_a_term_of_their_own(const Question& question, ExprId side, const std::s
 
 namespace {
 
+/// Of a product or a sum: `(AB)^\dagger`, `\det(A + B)`.
+bool turns_a_whole(const ExprTree& tree, ExprId id) {
+  const ExprNode& node = tree[id];
+  const bool power = node.op == Op::power && (node.exponent < 0 || is_unsized(tree, id));
+  const bool turns = power || node.op == Op::conjugate || node.op == Op::transpose || node.op == Op::trace ||
+                     node.op == Op::matrix_determinant;
+  return turns && tree[tree.children(id)[0]].op != Op::symbol;
+}
+
+/// `(AB)^T = AB`: it says of what it turns that this stays.
+bool says_that_it_stays(const ExprTree& tree, const Equation& claim) {
+  const auto stays = [&](ExprId side, ExprId other) {
+    return is_unsized(tree, side) && turns_a_whole(tree, side) &&
+           same_expression(tree, tree.children(side)[0], tree, other);
+  };
+  return stays(claim.left, claim.right) || stays(claim.right, claim.left);
+}
+
 /// `[A, B] = 0`, `AB = BA` and `P^2 = P` say something of their letters; `(A + B)^2 = A^2 + 2AB + B^2` is
-/// meant for all. An identity of operators has more terms than those of one commutator, or turns a product.
+/// meant for all. An identity of operators has more terms than those of one commutator, or turns a whole and
+/// has operators on both sides.
 bool is_condition_on_operators(const Question& question) {
   const ExprTree& tree = *question.tree;
-  const std::vector<ExprId> nodes = nodes_below(tree, {question.claim.left, question.claim.right});
-  const bool turns = std::ranges::any_of(nodes, [&](ExprId id) {  // `(AB)^\dagger = B^\dagger A^\dagger`
-    const bool inverts = tree[id].op == Op::conjugate || (tree[id].op == Op::power && tree[id].exponent < 0);
-    return inverts && tree[tree.children(id)[0]].op != Op::symbol;
-  });
+  const Equation& claim = question.claim;
+  const bool both = has_operators(tree, claim.left) && has_operators(tree, claim.right);
+  const bool turns = both && !says_that_it_stays(tree, claim) &&
+                     std::ranges::any_of(nodes_below(tree, {claim.left, claim.right}),
+                                         [&](ExprId id) { return turns_a_whole(tree, id); });
   std::size_t terms = turns ? 3 : 0;
-  for (const ExprId side : {question.claim.left, question.claim.right})
+  for (const ExprId side : {claim.left, claim.right})
     terms += tree.is_zero_literal(side) ? 0 : signed_terms(tree, side).size();
+  if (turns && (is_unsized(tree, claim.left) || is_unsized(tree, claim.right))) return false;
   return terms <= 2 || differs_in_several_degrees(question);
 }
 

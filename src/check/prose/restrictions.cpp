@@ -103,10 +103,12 @@ bool restricts_as_adjective(const Sentence& words, std::size_t at) {
                  "proportional", "congruent", "sinusoidal", "rectangular"}))
     return true;
   if (word == "equal") return next != "to" && !is_one_of(words.before(at), {"are", "is", "be", "not"});
-  if (word == "unit") return !is_one_of(words.before(at), {"per", "imaginary"}) && next != "of";
+  if (word == "unit")
+    return !is_one_of(words.before(at), {"per", "imaginary"}) && !is_one_of(next, {"of", "matrix"});
   if (is_one_of(word, {"positive", "negative"})) return !is_one_of(next, {"sign", "root", "of"});
   if (is_one_of(word, {"real", "imaginary"}))
-    return !is_one_of(next, {"part", "parts", "axis"}) && !(word == "imaginary" && next == "unit");
+    return !is_one_of(next, {"part", "parts", "axis"}) && !(word == "imaginary" && next == "unit") &&
+           !(word == "real" && words.soon(at, 4, {"matrix", "matrices"}));
   if (is_one_of(word, {"integer", "integers", "nonzero", "odd", "normalized", "normalised"})) return true;
   if (word == "same")  // "of the same mass", and not "the same vector"
     return is_one_of(
@@ -118,9 +120,13 @@ bool restricts_as_adjective(const Sentence& words, std::size_t at) {
   return false;
 }
 
-/// "to leading order", "of second order"; not "in order to".
+/// "to leading order", "of second order"; not "in order to", nor "the order of the factors".
 Found order_of_smallness(const Sentence& words, std::size_t at) {
   const std::string_view word = words[at];
+  if (words[at + 1] == "of" && words.soon(at, 3,
+                                          {"factors", "factor", "multiplication", "matrices", "letters",
+                                           "operators", "operations", "indices"}))
+    return std::nullopt;
   if (is_one_of(word, {"order", "orders"}) &&
       (is_one_of(words.before(at),
                  {"first", "second", "third", "fourth", "zeroth", "leading", "lowest", "next", "higher",

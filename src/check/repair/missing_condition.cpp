@@ -36,6 +36,7 @@ class Conditions {
     centres_of_mass();
     if (order_) bounds();
     tensors();
+    matrices();
     for (const Symbol* vector : of_rank(1, false)) given("|{}| = 1", vector->name);
     rates();
     numbers();
@@ -61,7 +62,8 @@ class Conditions {
     std::vector<const Symbol*> found;
     for (const SymbolId id : symbols_) {
       const Symbol& symbol = tree_.symbols[id];
-      const bool plain = !symbol.derivation && !symbol.rotation && !symbol.unit && !symbol.is_fixed();
+      const bool plain = !symbol.derivation && !symbol.rotation && !symbol.unit && !symbol.is_fixed() &&
+                         symbol.unsized == Unsized::none;
       if (plain && symbol.rank == rank && symbol.per_particle == per_particle) found.push_back(&symbol);
     }
     return found;
@@ -103,6 +105,23 @@ class Conditions {
       } else {
         given("{0}_{{12}} = {0}_{{23}} = {0}_{{31}} = 0", name);
       }
+    }
+  }
+
+  /// Of any size.
+  void matrices() {
+    std::vector<std::string> names;
+    for (const SymbolId id : symbols_) {
+      const Unsized kind = tree_.symbols[id].unsized;
+      if (kind != Unsized::none && kind != Unsized::column) names.push_back(tree_.symbols[id].name);
+    }
+    for (const std::string& name : names) {
+      given("{0}^T = {0}", name);
+      given("{0}^T = -{0}", name);
+      given("{0}^T{0} = 1", name);
+    }
+    for (std::size_t a = 0; a < names.size() && names.size() <= 3; ++a) {
+      for (std::size_t b = a + 1; b < names.size(); ++b) given("{0}{1} = {1}{0}", names[a], names[b]);
     }
   }
 

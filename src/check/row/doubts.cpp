@@ -26,6 +26,7 @@
 #include "check/scope/local_kinds.h"
 #include "check/word/prose_words.h"
 #include "expr/tree/path.h"
+#include "expr/tree/unsized.h"
 
 namespace rigor {
 namespace {
@@ -271,9 +272,22 @@ std::optional<Doubt> by_a_borrowed_letter(RowPlace& place, const StepReading& ro
                .kind = DiagnosticKind::borrowed};
 }
 
+bool is_about_unsized(const ExprTree& tree, const Claim& claim) {
+  return is_unsized(tree, claim.equation.left) || is_unsized(tree, claim.equation.right);
+}
+
+std::optional<Doubt> of_special_matrices(RowPlace& place, const StepReading&, const Claim& claim) {
+  const std::string& word = place.names.symbols.evidence->unsized.special;
+  if (word.empty() || !is_about_unsized(place.tree, claim)) return std::nullopt;
+  return doubt(
+      fmt::format("it does not hold for all matrices, and `{}` in its section may say which are meant", word),
+      "`rigor: given …` states what is assumed of them, such as `A^T = A`");
+}
+
 /// It is true with another sign, factor or letter: then a slip is likelier than another meaning.
 std::optional<Doubt> for_other_values(RowPlace& place, const StepReading& row, const Claim& claim) {
-  if (is_meant_for_all(place.tree, place.names, claim)) return std::nullopt;
+  if (is_meant_for_all(place.tree, place.names, claim) || is_about_unsized(place.tree, claim))
+    return std::nullopt;
   const WrongStep wrong{.parsed = row.parsed, .which = row.which, .first_order = row.first_order};
   const std::string_view lead = place.notes.prose.beside[place.event].lead;
   std::optional<std::vector<Repair>> known;
@@ -406,7 +420,7 @@ std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row
        {behind_an_open_row, by_a_constant, in_turning_axes, of_named_elements, of_spins, of_a_basis,
         of_a_unit_of_the_notes, of_letters_held, of_degrees_alone, of_a_contradiction, with_a_unit_missing,
         in_natural_units, about_written_zeros, of_a_matrix_and_a_number, of_another_value, among_alternatives,
-        by_a_borrowed_letter, for_other_values}) {
+        by_a_borrowed_letter, of_special_matrices, for_other_values}) {
     if (auto doubt = ask(place, row, claim)) return doubt;
   }
   return std::nullopt;

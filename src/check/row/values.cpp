@@ -52,7 +52,8 @@ bool agrees_with_values(RowPlace& place, const StepReading& row, const Claim& cl
   const bool open = judgement.verdict == Verdict::law || judgement.verdict == Verdict::refuted ||
                     judgement.verdict == Verdict::undecided;
   if (!open || claim.recorded != nullptr || claim.equation.relation != Relation::equal || row.unsettled ||
-      !number_shown(place.tree, place.names, claim))
+      !number_shown(place.tree, place.names, claim) || has_operators(place.tree, claim.equation.left) ||
+      has_operators(place.tree, claim.equation.right))
     return false;
   if (approximate_value(place.tree, place.names, number_shown(place.tree, place.names, claim)->side) == 0.0)
     return false;

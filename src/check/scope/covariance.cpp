@@ -59,6 +59,9 @@ class Counting {
       case Op::conjugate:
       case Op::real_part:
       case Op::imaginary_part:
+      case Op::transpose:
+      case Op::trace:
+      case Op::matrix_determinant:
         return std::nullopt;
     }
     return std::nullopt;

@@ -45,6 +45,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, std:
     see_raised(notes.syntax, chain.sides, evidence);
     see_complex(notes.syntax, chain.sides, evidence);
     see_operators(notes.syntax, chain.sides, evidence);
+    see_unsized_matrices(notes.syntax, chain.sides, evidence);
     see_averages(notes.syntax, chain.sides, evidence);
   }
 }
@@ -63,6 +64,7 @@ void see_between(const SourceMap& sources, Span before, Span behind, Evidence& e
   see_said_raised(text, evidence);
   see_said_complex(text, evidence);
   see_said_operators(text, evidence);
+  see_said_unsized_matrices(text, evidence);
   see_said_averages(text, evidence);
 }
 
@@ -112,6 +114,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes, std::
         see_ties(notes.syntax, chain.sides, evidence);
         see_complex(notes.syntax, chain.sides, evidence);
         see_operators(notes.syntax, chain.sides, evidence);
+        see_unsized_matrices(notes.syntax, chain.sides, evidence);
         see_averages(notes.syntax, chain.sides, evidence);
         for (const SyntaxId side : chain.sides) {
           see_changing(notes.syntax, side, evidence);
@@ -127,6 +130,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes, std::
   settle_order(evidence);
   settle_changes(evidence);
   settle_complex(evidence);
+  settle_unsized_matrices(evidence);
   settle_operators(evidence);
   return evidence;
 }

@@ -48,9 +48,15 @@ Result<Sample> placed(const Question& question, const Counterexample& example) {
   return sample;
 }
 
+/// As its values are printed: matrices and columns of any size have a size in a sample.
+int printed_rank(const Symbol& symbol) {
+  if (symbol.unsized == Unsized::none) return symbol.rank;
+  return symbol.unsized == Unsized::column ? 1 : 2;
+}
+
 Counterexample::Value described(const ExprTree& tree, const SampleValue& value) {
   const Symbol& symbol = tree.symbols[value.symbol];
-  return {symbol.name, value.particle, symbol.rank, value.components};
+  return {symbol.name, value.particle, printed_rank(symbol), value.components};
 }
 
 /// Which derivatives a reader needs to see that the assumptions hold and the sides differ: those in the step,
@@ -115,11 +121,11 @@ Result<Sample> sample_of(const Question& question, const Counterexample& example
     for (std::uint32_t particle = symbol.per_particle ? 1 : 0; particle <= last; ++particle) {
       std::size_t k = 0;
       while (k < taken.size() &&
-             (taken[k] || example.values[k].symbol != symbol.name || example.values[k].rank != symbol.rank ||
-              example.values[k].particle != particle))
+             (taken[k] || example.values[k].symbol != symbol.name ||
+              example.values[k].rank != printed_rank(symbol) || example.values[k].particle != particle))
         ++k;
       if (k == taken.size())
-        return does_not_fit(fmt::format("the sample has no value of rank {} for `{}`{}", symbol.rank,
+        return does_not_fit(fmt::format("the sample has no value of rank {} for `{}`{}", printed_rank(symbol),
                                         symbol.name,
                                         particle > 0 ? fmt::format(" of particle {}", particle) : ""));
       taken[k] = true;

@@ -83,7 +83,10 @@ class PolynomialReader {
       case Op::conjugate:
       case Op::real_part:
       case Op::imaginary_part:
-        throw TooManyMonomials{};  // complex numbers are not multiplied out
+      case Op::transpose:
+      case Op::trace:
+      case Op::matrix_determinant:
+        throw TooManyMonomials{};  // complex numbers and matrices of any size are not multiplied out
       case Op::length:
         if (has_complex_numbers(tree_, id)) throw TooManyMonomials{};
         return single({.kind = IndexFactor::Kind::root, .argument = shared(square_of_length(child(id)))});

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "elaborate/evidence/matrix_shape.h"
+#include "expr/tree/symbol.h"
 #include "latex/split/split.h"
 #include "latex/token/syntax.h"
 
@@ -23,6 +24,28 @@ struct MatrixLetter {
   std::set<std::pair<FileId, std::uint32_t>> set_there;  // where it stands alone
   bool of_itself = false;                                // x of `x = (x, y)`: two letters
   bool written = false;  // equal to a matrix itself, and not only to a product
+};
+
+/// What shows that letters are matrices of unknown size, or columns. Names have their labels: `A_{1}`,
+/// `\mathbf{x}`.
+struct UnsizedMatrices {
+  std::set<std::string> matrices;    // when all is seen
+  std::set<std::string> columns;     // the same
+  std::set<std::string> shown;       // called matrices, or in a transpose, a trace or a determinant
+  std::set<std::string> transposed;  // x of `x^T`
+  std::map<std::string, std::set<std::string>> acted_on;  // x of `Ax`, with A; "" stands for a transpose
+  std::map<std::string, std::set<std::string>> equal;     // b of `Ax = b`, with x
+  std::map<std::string, std::set<std::string>> made_of;   // P of `P = AB`, with A and B
+  std::set<std::string> written;                          // u of `u = (1, 2)`
+  std::set<std::string> indexed;                          // A of `A_{ij}`
+  std::set<std::string> dotted;                           // in a product with a dot or a cross
+  std::set<std::string> sizes;                            // n of "$n\times n$"
+  std::string special;             // "symmetric": the first word by which not all matrices are meant
+  int units = 0;                   // how often I stands where the unit matrix can: `AB = I`, `\lambda I`
+  int no_units = 0;                // and how often elsewhere
+  bool speaks_of_square = false;   // "square matrices"
+  bool rectangular = false;        // "$n\times m$"
+  bool speaks_of_columns = false;  // "vectors"
 };
 
 struct Evidence {
@@ -72,8 +95,9 @@ struct Evidence {
   std::set<std::string> written_out;                       // A of `A = \begin{pmatrix}…`
   std::set<std::string> noncommuting;          // shown to be operators, with labels: `\hat{p}`, `L_{z}`
   std::set<std::string> noncommuting_triples;  // L of the components L_i
-  bool speaks_of_operators = false;            // the words do, or of commutators
-  bool speaks_of_poisson = false;              // of Poisson brackets
+  UnsizedMatrices unsized;
+  bool speaks_of_operators = false;                      // the words do, or of commutators
+  bool speaks_of_poisson = false;                        // of Poisson brackets
   std::map<std::string, std::set<std::string>> made_of;  // z of `z = x + iy`, with x, y and i
   bool says_imaginary = false;                           // "the imaginary unit", "complex numbers"
   bool says_conjugate = false;                           // "the complex conjugate"
@@ -217,6 +241,17 @@ void settle_operators(Evidence& evidence);
 /// Do the letters stand for an operator, or for the components of three? `base` has its labels.
 [[nodiscard]] bool is_operator(const Evidence& evidence, const std::string& base, int rank);
 [[nodiscard]] bool is_operator(const Evidence& evidence, const WrittenSymbol& symbol);
+
+// --- unsized_matrices.cpp: Letters that are matrices of unknown size, or columns.
+
+/// What one chain shows; `sides` are its sides as they were parsed.
+void see_unsized_matrices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
+/// "Let $A$ and $B$ be $n\times n$ matrices", "the matrix $A$".
+void see_said_unsized_matrices(std::string_view text, Evidence& evidence);
+/// When all is seen; before `settle_operators`.
+void settle_unsized_matrices(Evidence& evidence);
+/// `base` has its labels.
+[[nodiscard]] Unsized unsized_letter(const Evidence& evidence, const std::string& base);
 
 // --- raised_indices.cpp: Upper indices: where `x^\mu` or `x^1` stands, `x^2` need not be a square.
 

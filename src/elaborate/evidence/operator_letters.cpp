@@ -133,8 +133,9 @@ void add_what_is_made_of_operators(Evidence& evidence) {
       if (is_operator(evidence, letter, 0) || evidence.declared_real.contains(letter) ||
           evidence.written_out.contains(letter))
         continue;
-      const bool made =
-          std::ranges::any_of(names, [&](const std::string& name) { return is_operator(evidence, name, 0); });
+      const bool made = std::ranges::any_of(names, [&](const std::string& name) {
+        return is_operator(evidence, name, 0) && unsized_letter(evidence, name) == Unsized::none;
+      });
       if (made) evidence.noncommuting.insert(letter);
       grew = grew || made;
     }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "elaborate/evidence/matrix_shape.h"
+#include "expr/tree/symbol.h"
 
 namespace rigor {
 
@@ -18,10 +19,11 @@ struct NameKey {
   std::string base;
   int rank = 0;
   bool per_particle = false;
-  std::uint8_t space = 0;     // of its axes, as `Space::id`; `Symbols` fills in the one in force
-  MatrixShape shape = {};     // of a letter that is set equal to a written matrix
-  bool complex = false;       // `Symbols` fills in what the section shows
-  bool noncommuting = false;  // the same
+  std::uint8_t space = 0;           // of its axes, as `Space::id`; `Symbols` fills in the one in force
+  MatrixShape shape = {};           // of a letter that is set equal to a written matrix
+  bool complex = false;             // `Symbols` fills in what the section shows
+  bool noncommuting = false;        // the same
+  Unsized unsized = Unsized::none;  // the same
   friend auto operator<=>(const NameKey&, const NameKey&) = default;
 };
 

@@ -123,6 +123,7 @@ SymbolId declare(Names& names, ExprTree& tree, const NameKey& named, Symbol symb
   symbol.per_particle = key.per_particle;
   symbol.complex = key.complex;
   symbol.noncommuting = key.noncommuting;
+  symbol.unsized = key.unsized;
   symbol.declared = true;
   auto known = declared_alike(names.symbols, tree.symbols, key, symbol);
   if (!known) known = spoken_of(names, key, symbol);

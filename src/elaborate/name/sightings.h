@@ -33,6 +33,7 @@ struct Sightings {
   key.space = 0;
   key.complex = false;
   key.noncommuting = false;
+  key.unsized = Unsized::none;
   return sightings.rates.contains(key);
 }
 

@@ -42,6 +42,7 @@ SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const s
   symbol.per_particle = key.per_particle;
   symbol.complex = key.complex;
   symbol.noncommuting = key.noncommuting;
+  symbol.unsized = key.unsized;
   symbol.first_seen = span;
   symbol.made_at = tree.size();
   // After its section, a declared letter is the same symbol, undeclared; if the declaration gave it
@@ -80,6 +81,7 @@ NameKey placed(const Symbols& symbols, NameKey key) {
   const bool any = !shown.noncommuting.empty() || !shown.noncommuting_triples.empty();
   if (any && !key.per_particle) key.noncommuting = key.noncommuting || is_operator(shown, key.base, key.rank);
   if (key.noncommuting) key.complex = false;
+  if (key.noncommuting && key.rank == 0) key.unsized = unsized_letter(shown, key.base);
   return key;
 }
 

@@ -9,6 +9,7 @@
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/summation.h"
 #include "elaborate/symbol/axes.h"
+#include "expr/tree/unsized.h"
 
 namespace rigor {
 namespace {
@@ -41,6 +42,19 @@ const Frame* frame_of(const Names& names, const std::string& label) {
   return nullptr;
 }
 
+/// √(xᵀx)
+MaybeTyped bars_of_unsized(Reading& reading, const Typed& inside, bool norm, Span span) {
+  ExprTree& tree = reading.tree;
+  const UnsizedShape shape = unsized_shape(tree, inside.id);
+  if (shape == UnsizedShape::number && !norm) return apply_op(tree, Op::absolute, span, 0, {inside});
+  if (shape != UnsizedShape::column)
+    return unsupported(reading, span,
+                       "bars are read around columns and numbers that matrices make, and not around matrices",
+                       {"`\\det` is a determinant"});
+  const Typed row = apply_op(tree, Op::transpose, span, 0, {inside});
+  return apply_op(tree, Op::root, span, 0, {apply_op(tree, Op::multiply, span, 0, {row, inside})});
+}
+
 }  // namespace
 
 MaybeTyped elaborate_bars(Reading& reading, SyntaxId id, const Around& around) {
@@ -53,6 +67,7 @@ MaybeTyped elaborate_bars(Reading& reading, SyntaxId id, const Around& around) {
   if (inside->rank > 1)
     return norm ? unsupported(reading, span, "the norm of a tensor is not decided")
                 : determinant_of(reading, id, *inside, span, around);
+  if (is_unsized(reading.tree, inside->id)) return bars_of_unsized(reading, *inside, norm, span);
   if (norm) return wrong_rank(reading, span, "a norm of a scalar", {"`|…|` is the absolute value"});
   if (inside->free.size() == 2) {
     if (names_a_tensor(reading.syntax, part)) return determinant_of(reading, part, *inside, span, around);

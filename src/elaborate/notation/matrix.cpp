@@ -14,6 +14,7 @@
 #include "elaborate/reading/matrix_product.h"
 #include "elaborate/reading/triple.h"
 #include "elaborate/symbol/named_symbol.h"
+#include "expr/tree/unsized.h"
 
 namespace rigor {
 namespace {
@@ -49,6 +50,8 @@ std::optional<std::vector<Typed>> entries_of(Reading& reading, std::span<const S
                          "a matrix, a column or a vector inside brackets is not read; write its entries out");
     if (!entry->free.empty())
       return unsupported(reading, span, "a free index inside a matrix or tuple is not decided");
+    if (is_unsized(reading.tree, entry->id) && unsized_shape(reading.tree, entry->id) != UnsizedShape::number)
+      return unsupported(reading, span, "a matrix of matrices is not read; write its entries out");
     entry->with_unit.reset();
     entries.push_back(*std::move(entry));
   }
@@ -284,6 +287,8 @@ MaybeTyped trace_or_determinant(Reading& reading, SyntaxId id, bool trace, const
   const auto whole = whole_tensor(reading, id, around);
   const auto inside = whole ? whole : elaborate(reading, id, around);
   if (!inside) return inside;
+  if (is_unsized(reading.tree, inside->id))
+    return apply_op(reading.tree, trace ? Op::trace : Op::matrix_determinant, span, 0, {*inside});
   if (!trace) return determinant_of(reading, id, *inside, span, around);
   if (is_triple(*inside))
     return of_each_member(reading, *inside, span,

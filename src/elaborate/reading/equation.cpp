@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "elaborate/reading/matrix_product.h"
+#include "expr/tree/unsized.h"
 
 namespace rigor {
 namespace {
@@ -77,6 +78,46 @@ bool has_number(const ExprTree& tree, ExprId id, const std::string& letter) {
   });
 }
 
+const char* name_of_shape(UnsizedShape shape) {
+  switch (shape) {
+    case UnsizedShape::number:
+      return "a number";
+    case UnsizedShape::matrix:
+      return "a matrix";
+    case UnsizedShape::column:
+      return "a column";
+    case UnsizedShape::row:
+      return "a row";
+    case UnsizedShape::none:
+      break;
+  }
+  return "a product of rows and columns that do not fit together";
+}
+
+/// Matrices and columns of any size. A number can stand for a multiple of the unit matrix, unless matrices
+/// make it: of `\det A = A` one side is meant otherwise.
+bool same_shape(const Reading& reading, ExprId first, ExprId other, const char* what,
+                const Mismatch& mismatch) {
+  const ExprTree& tree = reading.tree;
+  if (tree.is_zero_literal(first) || tree.is_zero_literal(other)) return true;
+  if (!is_unsized(tree, first) && !is_unsized(tree, other)) return true;
+  const UnsizedShape one = unsized_shape(tree, first);
+  const UnsizedShape two = unsized_shape(tree, other);
+  const auto is_plain_number = [&](ExprId id) { return !is_unsized(tree, id); };
+  const bool unit = (one == UnsizedShape::matrix && is_plain_number(other)) ||
+                    (two == UnsizedShape::matrix && is_plain_number(first));
+  const bool term = std::string_view(what) == "term";
+  const bool sum = term && (one == UnsizedShape::matrix || two == UnsizedShape::matrix) &&
+                   (one == UnsizedShape::number || two == UnsizedShape::number);
+  if ((one == two && one != UnsizedShape::none) || unit || sum) return true;
+  mismatch.diagnostics.push_back(
+      {DiagnosticKind::ambiguous_reading,
+       mismatch.relation,
+       fmt::format("one {} is {}, the other is {}", what, name_of_shape(two), name_of_shape(one)),
+       {{tree[first].span, name_of_shape(one)}}});
+  return false;
+}
+
 }  // namespace
 
 bool same_type(const Reading& reading, const Typed& first, const Typed& other, const char* what,
@@ -96,6 +137,7 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
          {{first_span, kind_of(first)}}});
     return false;
   }
+  if (!same_shape(reading, first.id, other.id, what, mismatch)) return false;
   if (reading.tree[first.id].axes != reading.tree[other.id].axes) {
     const bool tables = first.layout != Layout::none && other.layout != Layout::none;
     mismatch.diagnostics.push_back(

@@ -8,6 +8,7 @@
 #include "elaborate/reading/matrix_product.h"
 #include "elaborate/reading/summation.h"
 #include "elaborate/reading/triple.h"
+#include "expr/tree/unsized.h"
 
 namespace rigor {
 namespace {
@@ -235,7 +236,9 @@ MaybeTyped divide(Reading& reading, const Typed& dividend, const Typed& divisor,
     return unsupported(reading, divisor.free[0].span,
                        fmt::format("the index `{}` in a denominator is not decided", divisor.free[0].letter));
   }
-  if (has_operators(reading.tree, divisor.id))
+  const bool number =
+      is_unsized(reading.tree, divisor.id) && unsized_shape(reading.tree, divisor.id) == UnsizedShape::number;
+  if (has_operators(reading.tree, divisor.id) && !number)
     return ambiguous(reading, span, "the inverse of an operator can stand on either side",
                      {"write `A^{-1}` on its side"});
   return apply_op(reading.tree, Op::divide, span, dividend.rank, {dividend, divisor});

@@ -198,7 +198,20 @@ bool is_unit_operator(const Reading& reading, const WrittenSymbol& written) {
   const Evidence& evidence = *reading.names.symbols.evidence;
   if (!speaks_of_operators_here(evidence)) return false;
   if (written.letter == "\\mathbb{1}" || written.letter == "\\mathbb{I}") return true;
-  return is_bare_and_undeclared(reading.names, written) && evidence.units.contains(written.letter);
+  const UnsizedMatrices& unsized = evidence.unsized;
+  const bool by_use = written.letter == "I" && !unsized.matrices.empty() && unsized.units > 0 &&
+                      unsized.no_units == 0 && !evidence.matrices.contains("I");
+  return is_bare_and_undeclared(reading.names, written) &&
+         (by_use || evidence.units.contains(written.letter));
+}
+
+/// A matrix or a column of any size; also where the letter is bold.
+std::optional<MaybeTyped> unsized_symbol(Reading& reading, const WrittenSymbol& written, Span span) {
+  const std::string labelled = with_labels(letter_with_marks(written), written.lower);
+  const std::string name = written.face == Face::vector ? "\\mathbf{" + labelled + "}" : labelled;
+  if (unsized_letter(*reading.names.symbols.evidence, name) == Unsized::none) return std::nullopt;
+  const SymbolId symbol = symbol_named(reading, {.base = name}, name, span);
+  return Typed{.id = reading.tree.add({.op = Op::symbol, .span = span, .symbol = symbol})};
 }
 
 /// Why a letter is no quantity that is read: it stands for a change, an average or i.
@@ -420,6 +433,7 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
   if (auto letter = matrix_letter(reading, written, span)) return *std::move(letter);
   if (auto triple = triple_letter(reading, written, span, around)) return *std::move(triple);
   if (speaks_of_operators_here(*reading.names.symbols.evidence)) {
+    if (auto letter = unsized_symbol(reading, written, span)) return *std::move(letter);
     if (is_unit_operator(reading, written)) return Typed{.id = reading.tree.add_number(span, "1")};
     WrittenName name = take_apart(written, reading.letters, reading.names);
     if (names_an_operator(reading, written, name)) {

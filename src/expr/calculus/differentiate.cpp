@@ -44,6 +44,8 @@ std::optional<ExprId> Differentiator::compute(ExprId id) {
     case Op::component:
     case Op::index_sum:
     case Op::particle_sum:
+    case Op::transpose:
+    case Op::trace:
       return of_linear(id);
     case Op::multiply:
     case Op::dot:
@@ -71,6 +73,9 @@ std::optional<ExprId> Differentiator::compute(ExprId id) {
       return of_entries(id);
     case Op::determinant:
       return of_determinant(id);
+    case Op::matrix_determinant:
+      give_up("the derivative of the determinant of a matrix of unknown size is not decided");
+      return std::nullopt;
   }
   return std::nullopt;
 }

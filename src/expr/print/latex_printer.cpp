@@ -99,12 +99,18 @@ LatexPrinter::Piece LatexPrinter::piece(ExprId id) {
     case Op::imaginary_unit:
       return {notation_.imaginary_unit};
     case Op::conjugate:
-      return conjugate(id);
+      return raised(id, has_operators(tree_, id) ? "^\\dagger" : "^*");
     case Op::real_part:
     case Op::imaginary_part: {
       const std::string name = node.op == Op::real_part ? "Re" : "Im";
       return {"\\operatorname{" + name + "}" + in_brackets(piece(child(id))).text, Level::factor};
     }
+    case Op::transpose:
+      return raised(id, "^{\\mathrm{T}}");
+    case Op::trace:
+      return {"\\operatorname{tr}" + in_brackets(piece(child(id))).text, Level::factor};
+    case Op::matrix_determinant:
+      return {"\\det" + in_brackets(piece(child(id))).text, Level::factor};
     case Op::index_sum:
       return index_sum(id);
     case Op::particle_sum:
@@ -177,10 +183,11 @@ LatexPrinter::Piece LatexPrinter::real_power(ExprId id) {
 }
 
 /// `\psi^*`, `(a + b)^*`
-LatexPrinter::Piece LatexPrinter::conjugate(ExprId id) {
+/// Its child with a mark above: `A^*`, `(AB)^*`.
+LatexPrinter::Piece LatexPrinter::raised(ExprId id, const char* mark) {
   const Piece inside = at_least(Level::base, child(id));
   const bool raised = inside.text.find('^') != std::string::npos && !inside.bracketed;
-  return {(raised ? in_brackets(inside).text : inside.text) + "^*", Level::factor};
+  return {(raised ? in_brackets(inside).text : inside.text) + mark, Level::factor};
 }
 
 bool LatexPrinter::has_letter_e() const {

@@ -44,7 +44,7 @@ class LatexPrinter {
   Piece power(ExprId id);
   Piece real_power(ExprId id);
   Piece function(ExprId id, int exponent);
-  Piece conjugate(ExprId id);
+  Piece raised(ExprId id, const char* mark);
   bool has_letter_e() const;
   Piece bars(ExprId id);
   Piece component(ExprId id);

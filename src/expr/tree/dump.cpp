@@ -12,11 +12,21 @@ namespace rigor {
 namespace {
 
 [[nodiscard]] std::string_view name_of(Op op) {
-  static constexpr auto names = std::to_array<std::string_view>(
-      {"number",   "symbol", "e",         "delta",        "epsilon",     "add",    "negate",
-       "multiply", "divide", "power",     "real-power",   "root",        "length", "absolute",
-       "dot",      "cross",  "component", "tuple",        "determinant", "i",      "conjugate",
-       "re",       "im",     "index-sum", "particle-sum", "function",    "table"});
+  static constexpr auto names = std::to_array<std::string_view>({"number",      "symbol",
+                                                                 "e",           "delta",
+                                                                 "epsilon",     "add",
+                                                                 "negate",      "multiply",
+                                                                 "divide",      "power",
+                                                                 "real-power",  "root",
+                                                                 "length",      "absolute",
+                                                                 "dot",         "cross",
+                                                                 "component",   "tuple",
+                                                                 "determinant", "i",
+                                                                 "conjugate",   "re",
+                                                                 "im",          "transpose",
+                                                                 "trace",       "matrix-determinant",
+                                                                 "index-sum",   "particle-sum",
+                                                                 "function",    "table"});
   static_assert(names.size() == static_cast<std::size_t>(Op::table) + 1);
   return names[static_cast<std::size_t>(op)];
 }

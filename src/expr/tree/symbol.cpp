@@ -67,6 +67,7 @@ SymbolId SymbolTable::derivative(const Derivation& derivation) {
                      return each.by == By::letter && (*this)[each.letter].complex;
                    });
   symbol.noncommuting = base.noncommuting;
+  symbol.unsized = base.unsized;
   symbol.declared = base.declared;
   symbol.first_seen = base.first_seen;
   const SymbolId id = add(std::move(symbol));

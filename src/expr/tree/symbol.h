@@ -121,6 +121,10 @@ struct Integral {
 /// No order of a derivative goes beyond this; what notes may ask for is bounded in `Differentiator`.
 inline constexpr int largest_derivation = 1000;
 
+/// What has as many rows as a section likes: a matrix, one that the words say to be square or to have n×m
+/// entries, or a column. `Ax` is a product in this order.
+enum class Unsized : std::uint8_t { none, matrix, square, oblong, column };
+
 struct Symbol {
   std::string name;            // LaTeX without indices and particle label: `\mathbf{r}`, `T_{\text{rot}}`
   int rank = 0;                // 0 scalar, 1 vector, 2 and more tensor
@@ -137,6 +141,7 @@ struct Symbol {
   std::size_t made_at = 0;  // the size of the tree: no node before it is this symbol, or has it below
   std::optional<Derivation> derivation = {};  // of a derivative; the last axes, by space, can be exchanged
   AxisSpaces axes = {};                       // orthonormal
+  Unsized unsized = Unsized::none;            // of rank 0 and noncommuting
   std::optional<Integral> integral = {};
 
   /// A unit of measure or π: it has the one value that it has.

@@ -67,6 +67,9 @@ struct Shape {
       return {1, 0};
     case Op::particle_sum:
     case Op::function:
+    case Op::transpose:
+    case Op::trace:
+    case Op::matrix_determinant:
       return {1, 0};
     case Op::table:
       return {any_count, any_count};
@@ -125,6 +128,9 @@ constexpr int no_rank = -1;
     case Op::root:
     case Op::absolute:
     case Op::function:
+    case Op::transpose:
+    case Op::trace:
+    case Op::matrix_determinant:
       return ranks[0] == 0 ? 0 : no_rank;
     case Op::length:
       return ranks[0] == 1 ? 0 : no_rank;

@@ -46,14 +46,17 @@ enum class Op : std::uint8_t {
   component,  // one child of rank = number of slots -> rank 0
   tuple,      // children of equal rank r -> rank r + 1: the components; `axes` says of which space the
               // first axis is, and its dimension how many children there are
-  determinant,     // nine children row by row; all of rank 0, or one row of rank 1: ε_ijk a_1i a_2j a_3k
-  imaginary_unit,  // i; rank 0
-  conjugate,       // one child of any rank, component by component; of an operator its adjoint
-  real_part,       // the same
-  imaginary_part,  // the same; a real number
-  index_sum,       // Σ over `index`, along the axes of its space
-  particle_sum,    // Σ over all particles
-  function,        // `function` of one child of rank 0; rank 0
+  determinant,         // nine children row by row; all of rank 0, or one row of rank 1: ε_ijk a_1i a_2j a_3k
+  imaginary_unit,      // i; rank 0
+  conjugate,           // one child of any rank, component by component; of an operator its adjoint
+  real_part,           // the same
+  imaginary_part,      // the same; a real number
+  transpose,           // of a matrix of any size; rank 0, as such a matrix has
+  trace,               // the same; a number
+  matrix_determinant,  // the same
+  index_sum,           // Σ over `index`, along the axes of its space
+  particle_sum,        // Σ over all particles
+  function,            // `function` of one child of rank 0; rank 0
   table,  // values by index tuple: children are the values; `entry` says for each tuple which child (see
           // Table)
 };

@@ -76,7 +76,11 @@ class Inference {
       case Op::imaginary_part:
       case Op::index_sum:
       case Op::particle_sum:
+      case Op::transpose:
+      case Op::trace:
         return of(children[0]);
+      case Op::matrix_determinant:
+        break;
     }
     return std::nullopt;
   }
