@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "algebra/engine/terms.h"
 #include "algebra/engine/undecidable.h"
 #include "algebra/ring/division.h"
 
@@ -67,18 +68,14 @@ Fraction Moments::sum(Fraction body) {
   arithmetic_.expand(body);
   body.numerator = radicals_.reduced(body.numerator);
   const ex divisor = take_own_divisor(body);
-  body.numerator = body.numerator.expand();
+  body.numerator = body.numerator.written().expand();
   arithmetic_.count(price::summed_term * static_cast<double>(term_count(body.numerator)));
   std::map<ex, GiNaC::exvector, GiNaC::ex_is_less> by_key;
   const auto add_term = [&](const ex& term) {
     const Term parts = split(term, divisor);
     by_key[parts.key].push_back(parts.coefficient);
   };
-  if (GiNaC::is_a<GiNaC::add>(body.numerator)) {
-    for (std::size_t i = 0; i < body.numerator.nops(); ++i) add_term(body.numerator.op(i));
-  } else {
-    add_term(body.numerator);
-  }
+  for (const ex& term : terms_of(body.numerator)) add_term(term);
   std::map<std::string, ex> in_order;  // moments are created in the same order in every run
   for (const auto& [key, coefficients] : by_key) in_order.emplace(indeterminates_.fingerprint(key), key);
   GiNaC::exvector summands;
@@ -87,7 +84,7 @@ Fraction Moments::sum(Fraction body) {
     const ex factor = moment(key);
     for (const ex& coefficient : coefficients) summands.push_back(coefficient * factor);
   }
-  body.numerator = GiNaC::add(summands);
+  body.numerator = ex(GiNaC::add(summands));
   body.terms = static_cast<double>(summands.size());
   return body;
 }
