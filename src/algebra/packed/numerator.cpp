@@ -18,7 +18,10 @@ constexpr std::uint64_t unknown_image = ~std::uint64_t{0};
 
 [[nodiscard]] std::uint64_t times_modulo(std::uint64_t a, std::uint64_t b) {
   __extension__ using Wide = unsigned __int128;
-  return static_cast<std::uint64_t>(static_cast<Wide>(a) * b % image_prime);
+  const Wide product = static_cast<Wide>(a) * b;  // 2^61 is 1
+  const auto sum =
+      static_cast<std::uint64_t>(product & image_prime) + static_cast<std::uint64_t>(product >> 61U);
+  return sum < image_prime ? sum : sum - image_prime;
 }
 
 [[nodiscard]] std::uint64_t power_modulo(std::uint64_t base, std::uint64_t exponent) {

@@ -60,7 +60,7 @@ class PolynomialReader {
       if (!add(pair.rest, pair.coeff)) return std::nullopt;
     }
     if (!add(ex(1), SequenceAccess::number(value))) return std::nullopt;
-    const PackedPolynomial expanded(std::move(terms));
+    PackedPolynomial expanded(std::move(terms));
     if (sums.empty()) return expanded;
     std::vector<const PackedPolynomial*> summands{&expanded};
     for (const PackedPolynomial& each : sums) summands.push_back(&each);

@@ -21,6 +21,7 @@ ex Indeterminates::add(Origin origin) {
   origins_.emplace(created, origin);
   all_.push_back(created);
   letters_.add(created);
+  frames_.push_back(origin.frames);
   const std::pair power(origin.position, 1);
   values_.emplace_back(PackedPolynomial(1, std::span(&power, 1)), letters_);
   return created;

@@ -47,11 +47,14 @@ class Indeterminates {
   [[nodiscard]] GiNaC::ex coordinate(SymbolId symbol, std::uint32_t component, Frame frame);
   /// The same, as the evaluator needs it.
   [[nodiscard]] const Numerator& coordinate_value(SymbolId symbol, std::uint32_t component, Frame frame);
+  [[nodiscard]] const Numerator& value_at(std::size_t position) const { return values_[position]; }
   [[nodiscard]] GiNaC::ex fresh(Kind kind, FrameSet frames);
 
   [[nodiscard]] const Origin& origin(const GiNaC::ex& indeterminate) const;
   /// The frames of all indeterminates that occur in an expression.
   [[nodiscard]] FrameSet frames_of(const GiNaC::ex& value) const;
+  /// Of the one at a position.
+  [[nodiscard]] FrameSet frames_at(std::size_t position) const { return frames_[position]; }
   /// The positions of all indeterminates that occur in an expression.
   [[nodiscard]] std::set<std::size_t> positions_in(const Numerator& value) const;
   /// A text that is the same in every run, unlike GiNaC's order of terms, and the signs of powers' bases that
@@ -78,6 +81,7 @@ class Indeterminates {
   std::vector<GiNaC::ex> all_;
   PackedLetters letters_;
   std::vector<Numerator> values_;  // one for each of all
+  std::vector<FrameSet> frames_;   // the same
   [[nodiscard]] std::size_t position_of_coordinate(SymbolId symbol, std::uint32_t component, Frame frame);
 
   std::map<std::uint64_t, std::size_t> coordinates_;  // positions, by symbol, component and frame

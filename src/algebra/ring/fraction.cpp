@@ -221,6 +221,7 @@ Fraction FractionArithmetic::reciprocal(const Fraction& value) {
     expand(part);
     divide_by_polynomial(result, part.numerator.written(), exponent);
   };
+  if (divide_by_monomial(result, value)) return result;
   const ex& divisor = value.numerator.written();
   const auto factors = GiNaC::is_a<GiNaC::mul>(divisor) ? divisor.nops() : 1;
   for (std::size_t i = 0; i < factors; ++i) {
@@ -233,6 +234,19 @@ Fraction FractionArithmetic::reciprocal(const Fraction& value) {
   }
   put_in_order(result.divisors);
   return result;
+}
+
+/// False where it is something else: then its factors are to be found, and their signs.
+bool FractionArithmetic::divide_by_monomial(Fraction& value, const Fraction& divisor) {
+  const PackedPolynomial* const monomial = divisor.numerator.known_expanded();
+  if (monomial == nullptr || monomial->size() != 1) return false;
+  value.numerator = value.numerator.times(PackedNumber(1) / monomial->coefficient(0), letters());
+  monomial->for_each_power(0, [&](std::size_t letter, int exponent) {
+    count_expansion(divisor.terms);  // of each factor
+    divide_by(value, indeterminates_.value_at(letter), exponent);
+  });
+  put_in_order(value.divisors);
+  return true;
 }
 
 /// In an order that is the same in every run, which GiNaC's order of factors is not.

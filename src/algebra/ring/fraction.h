@@ -68,6 +68,7 @@ class FractionArithmetic {
                                         const std::vector<Divisor>& present) const;
   [[nodiscard]] std::size_t position(const std::vector<Divisor>& divisors, const Numerator& base) const;
   void divide_by(Fraction& value, const Numerator& base, int exponent) const;
+  [[nodiscard]] bool divide_by_monomial(Fraction& value, const Fraction& divisor);
   void divide_by_polynomial(Fraction& value, const GiNaC::ex& expanded, int exponent) const;
   void put_in_order(std::vector<Divisor>& divisors) const;
 
