@@ -34,7 +34,7 @@ rigor_floor(expr ON source
 rigor_floor(elaborate ON latex expr
   ROOMS evidence name reading symbol notation)
 rigor_floor(algebra ON expr PRIVATE rigor::ginac Eigen3::Eigen
-  ROOMS engine words parts point evaluator ring form generic sample rough decide)
+  ROOMS engine packed words parts point evaluator ring form generic sample rough decide)
 rigor_floor(numeric ON expr PRIVATE rigor::qd Boost::boost
   ROOMS lane kernels exact program run body mesh family measure advice)
 rigor_floor(check ON elaborate algebra

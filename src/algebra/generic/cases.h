@@ -6,8 +6,6 @@
 // Incomplete over the real numbers (x² + y² = 0 is taken as it is), and by the bound on the number of cases.
 #pragma once
 
-#include <ginac/ex.h>
-
 #include <optional>
 #include <vector>
 
@@ -17,8 +15,8 @@ namespace rigor {
 
 /// Equations f = 0 (expanded), and polynomials that are not 0 under them.
 struct System {
-  std::vector<GiNaC::ex> equations;
-  std::vector<GiNaC::ex> nonzero;
+  std::vector<Numerator> equations;
+  std::vector<Numerator> nonzero;
 };
 
 class Cases {
@@ -30,21 +28,24 @@ class Cases {
     empty,     // no case is possible
     open,
   };
-  [[nodiscard]] Verdict decide(const GiNaC::ex& value, System system);
+  [[nodiscard]] Verdict decide(const Numerator& value, System system);
 
  private:
   struct Linear {
-    GiNaC::ex x;
-    GiNaC::ex factor;    // a
-    GiNaC::ex constant;  // b
+    std::size_t x = 0;   // a letter's position
+    Numerator factor;    // a
+    Numerator constant;  // b
     std::size_t equation = 0;
   };
-  [[nodiscard]] bool simplify(GiNaC::ex& value, System& system);
+  [[nodiscard]] bool simplify(Numerator& value, System& system);
   [[nodiscard]] bool tidy(System& system);
-  [[nodiscard]] bool substitute(GiNaC::ex& value, System& system, const Linear& by);
-  [[nodiscard]] GiNaC::ex substituted(const GiNaC::ex& value, const Linear& by);
+  [[nodiscard]] bool substitute(Numerator& value, System& system, const Linear& by);
+  [[nodiscard]] Numerator substituted(const Numerator& value, const Linear& by);
   [[nodiscard]] std::optional<Linear> simplest_linear(const System& system, bool known_factor) const;
-  [[nodiscard]] Verdict split(const GiNaC::ex& value, const System& system, const Linear& by);
+  [[nodiscard]] Verdict split(const Numerator& value, const System& system, const Linear& by);
+
+  [[nodiscard]] const PackedLetters& letters() const { return domain_.indeterminates().letters(); }
+  [[nodiscard]] Numerator without_nonzero(const Numerator& value, const System& system) const;
 
   GenericDomain& domain_;
   int opened_ = 0;
@@ -52,7 +53,7 @@ class Cases {
 };
 
 /// A polynomial without the factors that are known to be nonzero.
-[[nodiscard]] GiNaC::ex without_factors(GiNaC::ex value, const std::vector<GiNaC::ex>& factors,
-                                        Budget* budget);
+[[nodiscard]] Numerator without_factors(Numerator value, const std::vector<Numerator>& factors,
+                                        const PackedLetters& letters, Budget* budget);
 
 }  // namespace rigor

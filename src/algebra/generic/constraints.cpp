@@ -206,39 +206,62 @@ void Constraints::collect_determinants(std::span<const ex> equations, std::size_
   }
 }
 
+/// The highest exponent of each indeterminate; nothing of what cannot be packed.
+std::vector<int> Constraints::degrees(const Numerator& equation) const {
+  const PackedPolynomial* const packed = equation.packed(letters());
+  return packed == nullptr ? std::vector<int>{} : packed->degrees(letters().count());
+}
+
 /// The first in the order of creation, so that the choice is the same in every run; a radical only if there
 /// is no other.
-ex Constraints::linear_indeterminate(const ex& equation) const {
-  const Degrees degrees = degrees_of(equation);
+std::optional<std::size_t> Constraints::linear_indeterminate(const Numerator& equation) const {
+  const std::vector<int> highest = degrees(equation);
   for (const bool radical : {false, true}) {
-    for (const ex& x : domain_.indeterminates().all()) {
-      if (degree_in(degrees, x) != 1 || domain_.radicals().is_radical(x) != radical) continue;
-      if (is_number(equation.coeff(x, 1))) return x;
+    for (std::size_t x = 0; x < highest.size(); ++x) {
+      if (highest[x] != 1 || domain_.radicals().is_radical(letters().at(x)) != radical) continue;
+      if (equation.packed(letters())->coefficient_of(x, 1).is_number()) return x;
     }
   }
-  return 0;
+  return std::nullopt;
 }
 
-ex Constraints::monic_indeterminate(const ex& equation) const {
-  const Degrees degrees = degrees_of(equation);
-  for (const ex& x : domain_.indeterminates().all()) {
-    const int degree = degree_in(degrees, x);
-    if (degree < 2 || domain_.radicals().is_radical(x)) continue;
-    if (is_number(equation.coeff(x, degree))) return x;
+ex Constraints::monic_indeterminate(const Numerator& equation) const {
+  const std::vector<int> highest = degrees(equation);
+  for (std::size_t x = 0; x < highest.size(); ++x) {
+    if (highest[x] < 2 || domain_.radicals().is_radical(letters().at(x))) continue;
+    if (equation.packed(letters())->coefficient_of(x, highest[x]).is_number()) return letters().at(x);
   }
   return 0;
 }
 
-ex Constraints::substituted(const ex& value, const Solution& by) {
-  const int degree = value.degree(by.indeterminate);
-  if (degree == 0) return value;
-  const double growth = std::pow(static_cast<double>(std::max<std::size_t>(term_count(by.worth), 1)), degree);
-  return domain_.reduced(value.subs(by.indeterminate == by.worth, GiNaC::subs_options::no_pattern),
-                         static_cast<double>(term_count(value)) * growth);
+int Constraints::degree_in(const Numerator& value, const Solution& by) const {
+  const PackedPolynomial* const packed = value.packed(letters());
+  return packed == nullptr ? value.written().degree(by.indeterminate) : packed->degree_in(by.letter);
 }
 
-void Constraints::substitute(ex& value, Positions& from, const Solution& by) {
-  if (value.degree(by.indeterminate) == 0) return;
+Numerator Constraints::substituted(const Numerator& value, const Solution& by) {
+  const int degree = degree_in(value, by);
+  if (degree == 0) return value;
+  const std::size_t terms_of_worth = std::max<std::size_t>(domain_.term_count(by.worth), 1);
+  const double terms =
+      static_cast<double>(domain_.term_count(value)) * std::pow(static_cast<double>(terms_of_worth), degree);
+  const PackedPolynomial* const packed = value.packed(letters());
+  if (packed == nullptr) {  // its degree is very high
+    const ex replaced =
+        value.written().subs(by.indeterminate == by.worth.written(), GiNaC::subs_options::no_pattern);
+    return domain_.reduced(replaced, terms);
+  }
+  Numerator sum;
+  for (int power = 0; power <= degree; ++power) {
+    Numerator part(packed->coefficient_of(by.letter, power), letters());
+    if (power > 0) part = part.times(by.worth.to_power(power, letters()), letters());
+    sum.add(part, letters());
+  }
+  return domain_.reduced(sum, terms);
+}
+
+void Constraints::substitute(Numerator& value, Positions& from, const Solution& by) {
+  if (degree_in(value, by) == 0) return;
   value = substituted(value, by);
   from.insert(by.from.begin(), by.from.end());
 }
@@ -250,9 +273,13 @@ void Constraints::eliminate() {
     std::erase_if(open, [](const Known& each) { return each.equation.is_zero(); });
     for (std::size_t i = 0; i < open.size() && !again; ++i) {
       if (is_number(open[i].equation)) throw Contradiction();
-      const ex x = linear_indeterminate(open[i].equation);
-      if (x.is_zero()) continue;
-      const Solution solution{x, solved_for(open[i].equation, x), open[i].from};
+      const auto letter = linear_indeterminate(open[i].equation);
+      if (!letter) continue;
+      const ex x = letters().at(*letter);
+      const PackedPolynomial& equation = *open[i].equation.packed(letters());
+      const PackedNumber factor = equation.coefficient_of(*letter, 1).coefficient(0);
+      Numerator worth(equation.coefficient_of(*letter, 0) * (PackedNumber(-1) / factor), letters());
+      const Solution solution{x, *letter, std::move(worth), open[i].from};
       trace_.eliminations.push_back({x, open[i].given});
       open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
       for (Known& other : open) substitute(other.equation, other.from, solution);

@@ -44,12 +44,12 @@ class Constraints {
   [[nodiscard]] std::vector<Signs::Fact> reduced_facts();
 
   /// A denominator, or a polynomial that is not 0 for another reason.
-  void note_nonzero(const GiNaC::ex& value, std::optional<std::size_t> assumption = {});
+  void note_nonzero(const Numerator& value, std::optional<std::size_t> assumption = {});
 
   /// A polynomial on the solutions, after steps 2 and 3.
-  [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& value);
+  [[nodiscard]] Numerator reduced(const Numerator& value);
   /// Is a polynomial proved to be zero on the solutions? Throws Undecidable where there are none.
-  [[nodiscard]] bool vanishes(const GiNaC::ex& value);
+  [[nodiscard]] bool vanishes(const Numerator& value);
 
   /// Are there equations that could not be solved for an indeterminate?
   [[nodiscard]] bool incomplete() const { return !remaining_.empty(); }
@@ -63,13 +63,14 @@ class Constraints {
  private:
   using Positions = std::set<std::size_t>;  // of assumptions
   struct Known {
-    GiNaC::ex equation;
+    Numerator equation;
     Positions from;
     std::size_t given = 0;  // position in the trace
   };
   struct Solution {
     GiNaC::ex indeterminate;
-    GiNaC::ex worth;
+    std::size_t letter = 0;  // its position
+    Numerator worth;
     Positions from;
   };
   struct UnitVector {
@@ -77,7 +78,7 @@ class Constraints {
     std::size_t given = 0;  // n·n = 1, by its position in the trace
   };
   struct Remaining {
-    GiNaC::ex equation;  // expanded, not constant
+    Numerator equation;  // expanded, not constant
     GiNaC::ex monic_in;  // 0: in none
     Positions from;
     std::set<std::size_t> indeterminates;  // by position
@@ -90,17 +91,20 @@ class Constraints {
   void give(ConstraintsTrace::Given given, Positions from);
   void eliminate();
   [[nodiscard]] bool replace_own_number(const GiNaC::ex& equation, std::size_t position);
-  [[nodiscard]] GiNaC::ex solved(const GiNaC::ex& value);
-  [[nodiscard]] bool is_determinant(const GiNaC::ex& value, ConstraintsTrace::Vanishing& found);
-  [[nodiscard]] bool vanishes(const GiNaC::ex& value, ConstraintsTrace::Vanishing& found);
+  [[nodiscard]] Numerator solved(const Numerator& value);
+  [[nodiscard]] bool is_determinant(const Numerator& value, ConstraintsTrace::Vanishing& found);
+  [[nodiscard]] bool vanishes(const Numerator& value, ConstraintsTrace::Vanishing& found);
   void use(const Positions& positions);
-  [[nodiscard]] std::vector<std::size_t> remaining_about(const GiNaC::ex& value) const;
-  [[nodiscard]] bool is_combination_times_nonzero(const GiNaC::ex& value, const System& system,
+  [[nodiscard]] std::vector<std::size_t> remaining_about(const Numerator& value) const;
+  [[nodiscard]] bool is_combination_times_nonzero(const Numerator& value, const System& system,
                                                   ConstraintsTrace::Vanishing& found);
-  [[nodiscard]] GiNaC::ex substituted(const GiNaC::ex& value, const Solution& by);
-  void substitute(GiNaC::ex& value, Positions& from, const Solution& by);
-  [[nodiscard]] GiNaC::ex linear_indeterminate(const GiNaC::ex& equation) const;
-  [[nodiscard]] GiNaC::ex monic_indeterminate(const GiNaC::ex& equation) const;
+  [[nodiscard]] int degree_in(const Numerator& value, const Solution& by) const;
+  [[nodiscard]] Numerator substituted(const Numerator& value, const Solution& by);
+  void substitute(Numerator& value, Positions& from, const Solution& by);
+  [[nodiscard]] const PackedLetters& letters() const { return domain_.indeterminates().letters(); }
+  [[nodiscard]] std::vector<int> degrees(const Numerator& equation) const;
+  [[nodiscard]] std::optional<std::size_t> linear_indeterminate(const Numerator& equation) const;
+  [[nodiscard]] GiNaC::ex monic_indeterminate(const Numerator& equation) const;
 
   const Scope& scope_;
   GenericDomain& domain_;

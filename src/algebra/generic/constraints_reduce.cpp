@@ -8,7 +8,6 @@
 #include "algebra/engine/terms.h"
 #include "algebra/engine/undecidable.h"
 #include "algebra/generic/constraints.h"
-#include "algebra/ring/expansion.h"
 #include "algebra/ring/membership.h"
 
 namespace rigor {
@@ -29,8 +28,8 @@ constexpr int largest_reduced_power = 2;           // of one of them
 }  // namespace
 
 /// By the equations that could be solved for an indeterminate.
-ex Constraints::solved(const ex& value) {
-  ex rest = value;
+Numerator Constraints::solved(const Numerator& value) {
+  Numerator rest = value;
   for (const Solution& solution : solutions_) {
     if (rest.is_zero()) return rest;
     substitute(rest, used_, solution);
@@ -38,14 +37,14 @@ ex Constraints::solved(const ex& value) {
   return rest;
 }
 
-ex Constraints::reduced(const ex& value) {
-  ex rest = solved(value);
+Numerator Constraints::reduced(const Numerator& value) {
+  Numerator rest = solved(value);
   for (const Remaining& each : remaining_) {
     if (rest.is_zero()) return rest;
     if (!each.monic_in.is_zero() && is_divided(rest, each.equation) &&
-        rest.degree(each.monic_in) >= each.equation.degree(each.monic_in)) {
+        rest.written().degree(each.monic_in) >= each.equation.written().degree(each.monic_in)) {
       domain_.count(static_cast<double>(term_count(rest) * term_count(each.equation)));
-      rest = GiNaC::rem(rest, each.equation, each.monic_in).expand();
+      rest = GiNaC::rem(rest.written(), each.equation, each.monic_in).expand();
       use(each.from);
     }
   }
@@ -53,24 +52,26 @@ ex Constraints::reduced(const ex& value) {
 }
 
 /// Where a root is not 0, its square is not: that is what stands in `r^2E = r^3\rho` of a length r.
-void Constraints::note_nonzero(const ex& value, std::optional<std::size_t> assumption) {
-  const auto note = [&](const ex& each) {
-    const auto is_it = [&](const auto& known) { return known.value.is_equal(each); };
-    if (is_number(each) || std::ranges::any_of(trace_.nonzero, is_it)) return;
+void Constraints::note_nonzero(const Numerator& value, std::optional<std::size_t> assumption) {
+  const auto note = [&](const Numerator& each) {
+    const auto is_it = [&](const auto& known) { return known.value.is_equal(each, letters()); };
+    const PackedPolynomial* const packed = each.packed(letters());
+    if ((packed == nullptr ? is_number(each.written()) : packed->is_number()) ||
+        std::ranges::any_of(trace_.nonzero, is_it))
+      return;
     trace_.nonzero.push_back({each, assumption});
   };
   note(value);
   for (const auto& [root, square] : domain_.radicals().relations()) {
-    if (root.is_equal(value) || root.is_equal(-value)) note(square);
+    if (root.is_equal(value.written()) || root.is_equal(-value.written())) note(square);
   }
 }
 
 /// Is the value, or its product with something that is not 0, a combination of the equations?
-bool Constraints::is_combination_times_nonzero(const ex& value, const System& system,
+bool Constraints::is_combination_times_nonzero(const Numerator& value, const System& system,
                                                ConstraintsTrace::Vanishing& found) {
-  const std::vector<ex>& all = domain_.indeterminates().all();
-  const auto is_zero = [&](const ex& product) {
-    const auto taken = combination(product, system.equations, all, {.budget = domain_.budget()});
+  const auto is_zero = [&](const Numerator& product) {
+    const auto taken = combination(product, system.equations, letters(), {.budget = domain_.budget()});
     if (!taken) return false;
     for (const std::size_t each : *taken) use(remaining_[found.left[each]].from);
     return true;
@@ -80,16 +81,18 @@ bool Constraints::is_combination_times_nonzero(const ex& value, const System& sy
   if (is_zero(value)) return true;
   std::size_t tried = 0;
   for (std::size_t i = 0; i < system.nonzero.size(); ++i) {
-    const ex& factor = system.nonzero[i];
-    if (is_number(factor)) continue;
-    ex product = value;
-    ex alone = 1;
+    const Numerator& factor = system.nonzero[i];
+    const PackedPolynomial* const packed = factor.packed(letters());
+    if (packed == nullptr || packed->is_number()) continue;
+    Numerator product = value;
+    Numerator alone = 1;
     for (int power = 1; power <= largest_reduced_power; ++power) {
-      if (term_count(factor) * term_count(product) > largest_product || ++tried > largest_tried) break;
-      product = expanded_polynomial(product * factor);
-      alone = expanded_polynomial(alone * factor);
+      if (packed->size() * domain_.term_count(product) > largest_product || ++tried > largest_tried) break;
+      product = product.times(factor, letters()).expanded(letters());
+      alone = alone.times(factor, letters()).expanded(letters());
       if (!is_zero(product)) continue;
-      if (is_combination(alone, system.equations, all, {.budget = domain_.budget()})) throw Contradiction();
+      if (is_combination(alone, system.equations, letters(), {.budget = domain_.budget()}))
+        throw Contradiction();
       found.nonzero = i;
       found.power = power;
       return true;
@@ -100,7 +103,7 @@ bool Constraints::is_combination_times_nonzero(const ex& value, const System& sy
 
 /// The positions of the remaining equations that share indeterminates with a value, directly or through
 /// others.
-std::vector<std::size_t> Constraints::remaining_about(const ex& value) const {
+std::vector<std::size_t> Constraints::remaining_about(const Numerator& value) const {
   std::set<std::size_t> met = domain_.indeterminates().positions_in(value);
   std::vector<bool> taken(remaining_.size(), false);
   for (bool grew = true; grew;) {
@@ -128,14 +131,13 @@ std::set<std::size_t> Constraints::used(bool signs) const {
 void Constraints::use(const Positions& positions) { used_.insert(positions.begin(), positions.end()); }
 
 /// Is the value a multiple of a determinant that is zero?
-bool Constraints::is_determinant(const ex& value, ConstraintsTrace::Vanishing& found) {
+bool Constraints::is_determinant(const Numerator& value, ConstraintsTrace::Vanishing& found) {
   found.how = ConstraintsTrace::Vanishing::How::determinant;
   for (found.determinant = 0; found.determinant < determinants_.size(); ++found.determinant) {
     const Known& each = determinants_[found.determinant];
-    const ex determinant = solved(each.equation);
+    const Numerator determinant = solved(each.equation);
     if (determinant.is_zero() ||
-        !is_combination(value, std::span(&determinant, 1), domain_.indeterminates().all(),
-                        {.budget = domain_.budget()}))
+        !is_combination(value, std::span(&determinant, 1), letters(), {.budget = domain_.budget()}))
       continue;
     use(each.from);
     return true;
@@ -143,7 +145,7 @@ bool Constraints::is_determinant(const ex& value, ConstraintsTrace::Vanishing& f
   return false;
 }
 
-bool Constraints::vanishes(const ex& value) {
+bool Constraints::vanishes(const Numerator& value) {
   if (value.is_zero()) return true;
   ConstraintsTrace::Vanishing found{.value = value};
   const Positions before = std::exchange(used_, {});
@@ -154,8 +156,8 @@ bool Constraints::vanishes(const ex& value) {
   return vanishing;
 }
 
-bool Constraints::vanishes(const ex& value, ConstraintsTrace::Vanishing& found) {
-  const ex open = solved(value);
+bool Constraints::vanishes(const Numerator& value, ConstraintsTrace::Vanishing& found) {
+  const Numerator open = solved(value);
   if (open.is_zero()) return true;
   if (remaining_.empty()) return false;
   if (is_determinant(open, found)) return true;
@@ -168,14 +170,15 @@ bool Constraints::vanishes(const ex& value, ConstraintsTrace::Vanishing& found) 
   for (const auto& each : trace_.nonzero) system.nonzero.push_back(reduced(each.value));
   used_ = before;
   use(orders_);
-  if (is_combination_times_nonzero(without_factors(open, system.nonzero, domain_.budget()), system, found))
+  if (is_combination_times_nonzero(without_factors(open, system.nonzero, letters(), domain_.budget()), system,
+                                   found))
     return true;
-  const ex rest = reduced(open);
+  const Numerator rest = reduced(open);
   found.how = ConstraintsTrace::Vanishing::How::divided;
   if (rest.is_zero()) return true;
   found.how = ConstraintsTrace::Vanishing::How::cases;
   const Cases::Verdict verdict =
-      Cases(domain_).decide(without_factors(rest, system.nonzero, domain_.budget()), system);
+      Cases(domain_).decide(without_factors(rest, system.nonzero, letters(), domain_.budget()), system);
   if (verdict == Cases::Verdict::empty) throw Contradiction();
   for (const std::size_t each : found.left) use(remaining_[each].from);
   return verdict == Cases::Verdict::vanishes;

@@ -41,7 +41,7 @@ struct ConstraintsTrace {
     std::array<GiNaC::ex, 3> vector;    // n
   };
   struct Nonzero {
-    GiNaC::ex value;
+    Numerator value;
     std::optional<std::size_t> assumption = {};  // that says so; none: it is in a denominator
   };
   /// An assumption about each particle that was solved for a number of its own.
@@ -53,10 +53,10 @@ struct ConstraintsTrace {
   /// A polynomial was found to vanish.
   struct Vanishing {
     enum class How : std::uint8_t { eliminated, determinant, combination, divided, cases };
-    GiNaC::ex value;
+    Numerator value;
     How how = How::eliminated;
     std::size_t determinant = 0;              // determinant: which
-    GiNaC::ex core = 0;                       // combination: without factors that are not 0
+    Numerator core = {};                      // combination: without factors that are not 0
     std::optional<std::size_t> nonzero = {};  // combination: times this one, reduced
     int power = 0;                            // so often
     std::vector<std::size_t> left = {};       // combination: among those that are left

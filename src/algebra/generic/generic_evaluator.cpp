@@ -43,18 +43,26 @@ Fraction GenericDomain::value(SymbolId symbol, std::uint32_t frame, std::size_t 
     if (replaced != replaced_.end())
       return polynomial(radicals_.moved(replaced->second, template_frame, frame));
   }
-  return polynomial(indeterminates_.coordinate(symbol, canonical, frame));
+  return polynomial(indeterminates_.coordinate_value(symbol, canonical, frame));
 }
 
 Fraction GenericDomain::unit_vector(SymbolId symbol, Frame frame, std::size_t component) {
   used_unit_vectors_ = true;
   if (as_coordinates_.contains(symbol)) return unit_vector_by_coordinates(symbol, frame, component);
-  const ex p = indeterminates_.coordinate(symbol, 0, frame);
-  const ex q = indeterminates_.coordinate(symbol, 1, frame);
-  const ex square = p * p + q * q;
-  Fraction value = polynomial(component == 0 ? 2 * p : component == 1 ? 2 * q : 1 - square);
-  value.divisors.push_back({1 + square, 1});
+  const PackedPolynomial p = packed_coordinate(symbol, 0, frame);
+  const PackedPolynomial q = packed_coordinate(symbol, 1, frame);
+  const PackedPolynomial square = p * p + q * q;
+  Fraction value = packed(component == 0 ? 2 * p : component == 1 ? 2 * q : 1 - square);
+  value.divisors.push_back({packed(1 + square).numerator, 1});
   return value;
+}
+
+PackedPolynomial GenericDomain::packed_coordinate(SymbolId symbol, std::uint32_t component, Frame frame) {
+  return *indeterminates_.coordinate_value(symbol, component, frame).known_expanded();
+}
+
+Fraction GenericDomain::packed(const PackedPolynomial& value) const {
+  return polynomial(Numerator(value, indeterminates_.letters()));
 }
 
 Fraction GenericDomain::unit_vector_by_coordinates(SymbolId symbol, Frame frame, std::size_t component) {
@@ -67,31 +75,33 @@ Fraction GenericDomain::unit_vector_by_coordinates(SymbolId symbol, Frame frame,
 /// R_ij = ((w² − v·v) δ_ij + 2 v_i v_j − 2 w ε_ijk v_k) / (w² + v·v), from Rodrigues' parameters.
 Fraction GenericDomain::rotation(SymbolId symbol, Frame frame, std::size_t component) {
   used_rotations_ = true;
-  const ex w = indeterminates_.coordinate(symbol, 0, frame);
-  std::array<ex, 3> v;
-  for (std::uint32_t i = 0; i < 3; ++i) v[i] = indeterminates_.coordinate(symbol, i + 1, frame);
-  const ex square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  const PackedPolynomial w = packed_coordinate(symbol, 0, frame);
+  std::array<PackedPolynomial, 3> v;
+  for (std::uint32_t i = 0; i < 3; ++i) v[i] = packed_coordinate(symbol, i + 1, frame);
+  const PackedPolynomial square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
   const std::size_t i = component / 3;
   const std::size_t j = component % 3;
   const auto sign = permutation_sign(static_cast<int>(i), static_cast<int>(j), static_cast<int>(3 - i - j));
-  const ex entry = i == j ? w * w - square + 2 * v[i] * v[i] : 2 * v[i] * v[j] - 2 * sign * w * v[3 - i - j];
-  Fraction value = polynomial(entry.expand());
-  value.divisors.push_back({w * w + square, 1});
+  Fraction value =
+      packed(i == j ? w * w - square + 2 * v[i] * v[i] : 2 * v[i] * v[j] - 2 * sign * w * v[3 - i - j]);
+  value.divisors.push_back({packed(w * w + square).numerator, 1});
   return value;
 }
 
-ex GenericDomain::difference(const Fraction& left, const Fraction& right) {
-  const auto same = [](const Divisor& a, const Divisor& b) {
-    return a.exponent == b.exponent && a.base.is_equal(b.base);
+Numerator GenericDomain::difference(const Fraction& left, const Fraction& right) {
+  const PackedLetters& letters = indeterminates_.letters();
+  const auto same = [&](const Divisor& a, const Divisor& b) {
+    return a.exponent == b.exponent && a.base.is_equal(b.base, letters);
   };
-  if (std::ranges::equal(left.divisors, right.divisors, same) && left.numerator.is_equal(right.numerator))
-    return 0;
+  if (std::ranges::equal(left.divisors, right.divisors, same) &&
+      left.numerator.is_equal(right.numerator, letters))
+    return {};
   Fraction subtracted = right;
   arithmetic_.negate(subtracted);
   Fraction sum = left;
   arithmetic_.add(sum, subtracted);
   arithmetic_.expand(sum);
-  return radicals_.reduced(sum.numerator);
+  return sum.numerator.is_zero() ? Numerator() : radicals_.reduced(sum.numerator);
 }
 
 Fraction GenericDomain::subtracted(const Fraction& right, const Fraction& left) {
@@ -122,7 +132,7 @@ Sign GenericDomain::sign_as_written(const Fraction& value) const {
   const Sign sign = signs_.of(value);
   if (sign != Sign::any || !value.divisors.empty()) return sign;
   for (const Signs::Fact& fact : signs_.facts()) {
-    if (fact.value.is_equal(value.numerator)) return fact.sign;
+    if (fact.value.is_equal(value.numerator.written())) return fact.sign;
   }
   return sign;
 }
@@ -135,7 +145,7 @@ void GenericDomain::note_sign(const Fraction& value, Sign sign) {
   signs_.add_fact(negative ? (-same).expand() : same, negative ? opposite(sign) : sign);
 }
 
-ex GenericDomain::reduced(const ex& value, double terms) {
+Numerator GenericDomain::reduced(const Numerator& value, double terms) {
   return radicals_.reduced(arithmetic_.expanded(value, terms));
 }
 

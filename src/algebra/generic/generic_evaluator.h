@@ -75,7 +75,11 @@ class GenericDomain {
   [[nodiscard]] Budget* budget() const { return budget_; }
 
   /// The numerator of left − right, expanded and reduced by the relations of radicals.
-  [[nodiscard]] GiNaC::ex difference(const Fraction& left, const Fraction& right);
+  [[nodiscard]] Numerator difference(const Fraction& left, const Fraction& right);
+  /// Of an expanded polynomial.
+  [[nodiscard]] std::size_t term_count(const Numerator& expanded) const {
+    return arithmetic_.term_count(expanded);
+  }
   /// right − left, as it is written.
   [[nodiscard]] Fraction subtracted(const Fraction& right, const Fraction& left);
   /// A polynomial, expanded and reduced, that has the sign of a fraction (whose divisors are not 0).
@@ -83,7 +87,7 @@ class GenericDomain {
   /// From now on the signs of sums, as they are written, are noted as facts before they are expanded.
   void note_signs_as_written() { notes_signs_ = true; }
   /// A polynomial expanded and reduced; `terms` is an estimate of how many that may give.
-  [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& value, double terms);
+  [[nodiscard]] Numerator reduced(const Numerator& value, double terms);
 
   /// From now on a unit vector is three coordinates; a particle's third one is known by its square, for
   /// others the caller has to see to n·n = 1. False if that was so before.
@@ -110,6 +114,8 @@ class GenericDomain {
   void note_sign(const Fraction& value, Sign sign);
   [[nodiscard]] Fraction unit_vector(SymbolId symbol, Frame frame, std::size_t component);
   [[nodiscard]] Fraction unit_vector_by_coordinates(SymbolId symbol, Frame frame, std::size_t component);
+  [[nodiscard]] PackedPolynomial packed_coordinate(SymbolId symbol, std::uint32_t component, Frame frame);
+  [[nodiscard]] Fraction packed(const PackedPolynomial& value) const;
   [[nodiscard]] Fraction rotation(SymbolId symbol, Frame frame, std::size_t component);
 
   const Scope* scope_;

@@ -214,7 +214,7 @@ Sign Order::by_factors(const ex& value, const std::vector<Fact>& facts) {
   }
   for (const auto& [text, factor] : in_order) {
     Sign own = best(factor.base, facts, 0);
-    if (own == Sign::any) own = opposite(best((-factor.base).expand(), facts, 0));
+    if (own == Sign::any) own = opposite(best((-factor.base.written()).expand(), facts, 0));
     sign = product(sign, power(own, factor.exponent));
   }
   return sign;

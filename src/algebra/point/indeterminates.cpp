@@ -5,6 +5,8 @@
 #include <ginac/ginac.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "algebra/engine/exact_number.h"
 #include "base/check.h"
@@ -18,20 +20,32 @@ ex Indeterminates::add(Origin origin) {
   const ex created = GiNaC::symbol();
   origins_.emplace(created, origin);
   all_.push_back(created);
+  letters_.add(created);
+  frames_.push_back(origin.frames);
+  const std::pair power(origin.position, 1);
+  values_.emplace_back(PackedPolynomial(1, std::span(&power, 1)), letters_);
   return created;
 }
 
-ex Indeterminates::coordinate(SymbolId symbol, std::uint32_t component, Frame frame) {
+std::size_t Indeterminates::position_of_coordinate(SymbolId symbol, std::uint32_t component, Frame frame) {
   const std::uint64_t key = (static_cast<std::uint64_t>(symbol) << 32) | (component << 8) | frame;
-  const auto known = coordinates_.find(key);
-  if (known != coordinates_.end()) return known->second;
-  const ex created = add({.kind = Kind::coordinate,
-                          .frames = only(frame),
-                          .symbol = symbol,
-                          .component = component,
-                          .frame = frame});
-  coordinates_.emplace(key, created);
-  return created;
+  const auto [known, is_new] = coordinates_.try_emplace(key, all_.size());
+  if (is_new) {
+    static_cast<void>(add({.kind = Kind::coordinate,
+                           .frames = only(frame),
+                           .symbol = symbol,
+                           .component = component,
+                           .frame = frame}));
+  }
+  return known->second;
+}
+
+ex Indeterminates::coordinate(SymbolId symbol, std::uint32_t component, Frame frame) {
+  return all_[position_of_coordinate(symbol, component, frame)];
+}
+
+const Numerator& Indeterminates::coordinate_value(SymbolId symbol, std::uint32_t component, Frame frame) {
+  return values_[position_of_coordinate(symbol, component, frame)];
 }
 
 ex Indeterminates::fresh(Kind kind, FrameSet frames) { return add({.kind = kind, .frames = frames}); }
@@ -50,14 +64,21 @@ FrameSet Indeterminates::frames_of(const ex& value) const {
   return frames;
 }
 
-std::set<std::size_t> Indeterminates::positions_in(const ex& value) const {
+std::set<std::size_t> Indeterminates::positions_in(const Numerator& value) const {
   std::set<std::size_t> positions;
+  if (const PackedPolynomial* const packed = value.packed(letters_)) {
+    const std::vector<int> degrees = packed->degrees(letters_.count());
+    for (std::size_t x = 0; x < degrees.size(); ++x) {
+      if (degrees[x] > 0) positions.insert(x);
+    }
+    return positions;
+  }
   const auto collect = [&](const auto& self, const ex& part) -> void {
     if (GiNaC::is_a<GiNaC::symbol>(part)) positions.insert(origin(part).position);
     if (GiNaC::is_a<GiNaC::numeric>(part)) return;
     for (std::size_t i = 0; i < part.nops(); ++i) self(self, part.op(i));
   };
-  collect(collect, value);
+  collect(collect, value.written());
   return positions;
 }
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "algebra/packed/numerator.h"
 #include "expr/tree/symbol.h"
 
 namespace rigor {
@@ -44,13 +45,18 @@ class Indeterminates {
 
   /// The indeterminate of a symbol's component, always the same one.
   [[nodiscard]] GiNaC::ex coordinate(SymbolId symbol, std::uint32_t component, Frame frame);
+  /// The same, as the evaluator needs it.
+  [[nodiscard]] const Numerator& coordinate_value(SymbolId symbol, std::uint32_t component, Frame frame);
+  [[nodiscard]] const Numerator& value_at(std::size_t position) const { return values_[position]; }
   [[nodiscard]] GiNaC::ex fresh(Kind kind, FrameSet frames);
 
   [[nodiscard]] const Origin& origin(const GiNaC::ex& indeterminate) const;
   /// The frames of all indeterminates that occur in an expression.
   [[nodiscard]] FrameSet frames_of(const GiNaC::ex& value) const;
+  /// Of the one at a position.
+  [[nodiscard]] FrameSet frames_at(std::size_t position) const { return frames_[position]; }
   /// The positions of all indeterminates that occur in an expression.
-  [[nodiscard]] std::set<std::size_t> positions_in(const GiNaC::ex& value) const;
+  [[nodiscard]] std::set<std::size_t> positions_in(const Numerator& value) const;
   /// A text that is the same in every run, unlike GiNaC's order of terms, and the signs of powers' bases that
   /// go with it: equal for equal expressions.
   [[nodiscard]] std::string fingerprint(const GiNaC::ex& value) const;
@@ -65,13 +71,20 @@ class Indeterminates {
   [[nodiscard]] GiNaC::exmap twins(Frame from, Frame to);
   /// In order of creation.
   [[nodiscard]] const std::vector<GiNaC::ex>& all() const { return all_; }
+  /// The same for packed polynomials.
+  [[nodiscard]] const PackedLetters& letters() const { return letters_; }
 
  private:
   [[nodiscard]] GiNaC::ex add(Origin origin);
 
   std::map<GiNaC::ex, Origin, GiNaC::ex_is_less> origins_;
   std::vector<GiNaC::ex> all_;
-  std::map<std::uint64_t, GiNaC::ex> coordinates_;  // by symbol, component and frame
+  PackedLetters letters_;
+  std::vector<Numerator> values_;  // one for each of all
+  std::vector<FrameSet> frames_;   // the same
+  [[nodiscard]] std::size_t position_of_coordinate(SymbolId symbol, std::uint32_t component, Frame frame);
+
+  std::map<std::uint64_t, std::size_t> coordinates_;  // positions, by symbol, component and frame
 };
 
 }  // namespace rigor

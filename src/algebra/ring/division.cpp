@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "algebra/engine/terms.h"
-#include "algebra/ring/expansion.h"
 #include "algebra/ring/fraction.h"
 #include "algebra/ring/line_image.h"
 
@@ -43,64 +42,65 @@ namespace {
 }
 
 /// Lines and divisions go over all terms again for each few powers of a letter.
-[[nodiscard]] std::size_t weight_of_degree(const ex& expanded) {
+[[nodiscard]] std::size_t weight_of_degree(int highest_exponent) {
   constexpr int per_weight = 8;
+  return static_cast<std::size_t>(1 + highest_exponent / per_weight);
+}
+
+[[nodiscard]] int highest_exponent(const ex& expanded) {
   int highest = 0;
-  for (const ex& term : terms_of(expanded)) {
-    for (const ex& factor : factors_of(term)) highest = std::max(highest, split_power(factor).second);
-  }
-  return static_cast<std::size_t>(1 + highest / per_weight);
+  for (const auto& [base, exponent] : degrees_of(expanded)) highest = std::max(highest, exponent);
+  return highest;
 }
 
-/// Letters with their exponents; nothing where it is no product of such.
-[[nodiscard]] std::optional<std::vector<std::pair<ex, int>>> letters_of_monomial(const ex& value) {
-  if (GiNaC::is_a<GiNaC::add>(value)) return std::nullopt;
-  std::vector<std::pair<ex, int>> letters;
-  for (const ex& factor : factors_of(value)) {
-    if (is_number(factor)) continue;
-    letters.push_back(split_power(factor));
-    if (!GiNaC::is_a<GiNaC::symbol>(letters.back().first) || letters.back().second < 0) return std::nullopt;
-  }
-  return letters;
+[[nodiscard]] int highest_exponent(const PackedPolynomial& value) {
+  int highest = 0;
+  for (std::size_t i = 0; i < value.size(); ++i)
+    value.for_each_power(i, [&](std::size_t, int exponent) { highest = std::max(highest, exponent); });
+  return highest;
 }
 
-/// Term by term: a monomial divides what is expanded if it divides each term.
-[[nodiscard]] bool divides_each_term(const ex& monomial, const std::vector<std::pair<ex, int>>& letters,
-                                     const ex& value, ex& quotient) {
-  const ex inverse = 1 / monomial;
-  GiNaC::exvector terms;
-  for (const ex& term : terms_of(value)) {
-    std::size_t found = 0;
-    for (const ex& factor : factors_of(term)) {
-      const auto [base, exponent] = split_power(factor);
-      found += std::ranges::any_of(letters, [&, &base = base, exponent = exponent](const auto& letter) {
-        return exponent >= letter.second && base.is_equal(letter.first);
-      });
-    }
-    if (found < letters.size()) return false;
-    terms.push_back(term * inverse);
-  }
-  quotient = GiNaC::add(terms);
-  return true;
+void count_on(Budget* budget, std::uint64_t units) {
+  if (budget != nullptr) budget->count(units);
 }
 
 }  // namespace
 
 std::size_t size_of_division(const ex& divisor, const ex& value) {
-  return term_count(divisor) * term_count(value) * weight_of_degree(value);
+  return term_count(divisor) * term_count(value) * weight_of_degree(highest_exponent(value));
+}
+
+bool divides(const Numerator& divisor, const Numerator& value, Numerator& quotient,
+             const PackedLetters& letters, Budget* budget) {
+  const PackedPolynomial* const below = divisor.packed(letters);
+  const PackedPolynomial* const above = value.packed(letters);
+  if (below == nullptr || above == nullptr || below->is_zero()) {
+    ex found;
+    if (!GiNaC::divide(value.written(), divisor.written(), found)) return false;
+    quotient = found.expand();
+    return true;
+  }
+  const std::size_t terms = below->size() + above->size();
+  if (below->size() == 1 && !above->is_zero()) {
+    count_on(budget, (price::looked_at_term + price::expanded_term) * terms);
+  } else {
+    const std::size_t weight = weight_of_degree(highest_exponent(*above));
+    count_on(budget, price::looked_at_term * terms * weight);
+    if (!may_divide(*below, *above, letters)) return false;
+    count_on(budget, price::divided_pair * below->size() * above->size() * weight);
+  }
+  auto found = exact_quotient(*above, *below);
+  if (found) quotient = Numerator(std::move(*found), letters);
+  return found.has_value();
 }
 
 bool divides(const ex& divisor, const ex& value, ex& quotient, Budget* budget) {
-  const std::size_t terms = term_count(value) + term_count(divisor);
-  if (const auto letters = value.is_zero() ? std::nullopt : letters_of_monomial(divisor)) {
-    if (budget != nullptr) budget->count((price::looked_at_term + price::expanded_term) * terms);
-    return divides_each_term(divisor, *letters, value, quotient);
-  }
-  if (budget != nullptr) budget->count(price::looked_at_term * terms * weight_of_degree(value));
-  if (!may_divide(divisor, value)) return false;
-  if (budget != nullptr) budget->count(price::divided_pair * size_of_division(divisor, value));
-  if (!GiNaC::divide(value, divisor, quotient)) return false;
-  quotient = expanded_polynomial(quotient);  // GiNaC leaves it by powers of some variable
+  PackedLetters letters;
+  add_letters(letters, value);
+  add_letters(letters, divisor);
+  Numerator found;
+  if (!divides(divisor, value, found, letters, budget)) return false;
+  quotient = found.written();
   return true;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Division and repeated factors of expanded polynomials, by GiNaC. Since that is slow, a look along a line
+// Division of expanded polynomials, and their repeated factors, by GiNaC. A look along a line
 // (`line_image.h`) rules most cases out first. The work is counted.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "algebra/engine/budget.h"
+#include "algebra/packed/numerator.h"
 
 namespace rigor {
 
@@ -16,6 +17,8 @@ namespace rigor {
 [[nodiscard]] std::size_t size_of_division(const GiNaC::ex& divisor, const GiNaC::ex& value);
 
 /// Whether a polynomial divides another, and what times, expanded. The budget may be none.
+[[nodiscard]] bool divides(const Numerator& divisor, const Numerator& value, Numerator& quotient,
+                           const PackedLetters& letters, Budget* budget);
 [[nodiscard]] bool divides(const GiNaC::ex& divisor, const GiNaC::ex& value, GiNaC::ex& quotient,
                            Budget* budget);
 

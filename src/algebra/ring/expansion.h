@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polynomials multiplied out. GiNaC's own expansion builds an expression for each intermediate product; here
-// a term is a packed vector of exponents and a rational number until the end.
+// a term is a packed vector of exponents and a number until the end.
 #pragma once
 
 #include <ginac/ex.h>
@@ -8,8 +8,7 @@
 namespace rigor {
 
 /// The same value as a sum of terms, like `ex::expand`, for an expression of rational numbers and symbols
-/// with +, × and whole powers. Anything else, and more than 128 symbols or exponents above 255, is left to
-/// GiNaC.
+/// with +, × and whole powers. Anything else, and a degree above 255, is left to GiNaC.
 [[nodiscard]] GiNaC::ex expanded_polynomial(const GiNaC::ex& value);
 
 }  // namespace rigor

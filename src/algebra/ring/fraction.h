@@ -10,18 +10,19 @@
 #include "algebra/engine/attempt.h"
 #include "algebra/engine/exact_number.h"
 #include "algebra/engine/limits.h"
+#include "algebra/packed/numerator.h"
 #include "algebra/point/indeterminates.h"
 
 namespace rigor {
 
 /// One factor of a denominator: an expanded primitive polynomial (or a single indeterminate), not 0.
 struct Divisor {
-  GiNaC::ex base;
+  Numerator base;
   int exponent = 1;  // positive
 };
 
 struct Fraction {
-  GiNaC::ex numerator = 0;
+  Numerator numerator = {};
   std::vector<Divisor> divisors = {};  // their bases differ from each other, by more than the sign
   double terms = 0;                    // at most so many has the expanded numerator
   double bits = 0;                     // log₂ of the sum of its coefficients' sizes, about
@@ -29,7 +30,7 @@ struct Fraction {
 
 [[nodiscard]] Fraction to_fraction(const Rational& value);
 /// A polynomial that is expanded already.
-[[nodiscard]] Fraction polynomial(const GiNaC::ex& expanded);
+[[nodiscard]] Fraction polynomial(const Numerator& expanded);
 [[nodiscard]] std::size_t term_count(const GiNaC::ex& expanded);
 
 /// Arithmetic of fractions within a budget. The number of terms is estimated before anything is expanded,
@@ -50,6 +51,10 @@ class FractionArithmetic {
   void expand(Fraction& value);
   [[nodiscard]] GiNaC::ex expanded(const GiNaC::ex& value, double estimated_terms);
 
+  [[nodiscard]] Numerator expanded(const Numerator& value, double estimated_terms);
+  [[nodiscard]] const PackedLetters& letters() const { return indeterminates_.letters(); }
+
+  [[nodiscard]] std::size_t term_count(const Numerator& expanded) const;
   /// Counts a step of evaluation.
   void step();
   /// Counts other work.
@@ -58,7 +63,12 @@ class FractionArithmetic {
 
  private:
   void check(const Fraction& value) const;
-  static void divide_by(Fraction& value, const GiNaC::ex& base, int exponent);
+  void count_expansion(double estimated_terms);
+  [[nodiscard]] Fraction missing_factor(const std::vector<Divisor>& wanted,
+                                        const std::vector<Divisor>& present) const;
+  [[nodiscard]] std::size_t position(const std::vector<Divisor>& divisors, const Numerator& base) const;
+  void divide_by(Fraction& value, const Numerator& base, int exponent) const;
+  [[nodiscard]] bool divide_by_monomial(Fraction& value, const Fraction& divisor);
   void divide_by_polynomial(Fraction& value, const GiNaC::ex& expanded, int exponent) const;
   void put_in_order(std::vector<Divisor>& divisors) const;
 

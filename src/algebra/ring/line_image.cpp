@@ -3,6 +3,7 @@
 
 #include <cln/integer.h>
 #include <cln/rational.h>
+#include <ginac/ginac.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -11,12 +12,10 @@
 #include <string_view>
 #include <vector>
 
-#include "algebra/engine/terms.h"
+#include "algebra/packed/packed_letters.h"
 
 namespace rigor {
 namespace {
-
-using GiNaC::ex;
 
 constexpr std::uint64_t prime = 2'147'483'647;  // 2^31 - 1: a product of two residues fits into 64 bits
 
@@ -38,10 +37,12 @@ using Image = std::vector<std::uint64_t>;  // the coefficients from t^0 on; the 
 }
 
 /// None where the denominator is a multiple of the prime.
-[[nodiscard]] std::optional<std::uint64_t> residue(const ex& number) {
-  const GiNaC::numeric& value = GiNaC::ex_to<GiNaC::numeric>(number);
-  if (!value.is_rational()) return std::nullopt;
-  const cln::cl_RA exact = cln::the<cln::cl_RA>(value.to_cl_N());
+[[nodiscard]] std::optional<std::uint64_t> residue(const PackedNumber& number) {
+  if (number.is_small()) {
+    const auto whole = static_cast<std::int64_t>(prime);
+    return static_cast<std::uint64_t>((number.small() % whole + whole) % whole);
+  }
+  const Rational exact = number.exact();
   const std::uint64_t denominator = residue(cln::denominator(exact));
   if (denominator == 0) return std::nullopt;
   return residue(cln::numerator(exact)) * inverse(denominator) % prime;
@@ -76,38 +77,49 @@ struct AlongLine {
   std::size_t degree = 0;
 };
 
-/// Of a product of a number and powers of indeterminates; false where there is anything else.
-[[nodiscard]] bool add_term(AlongLine& sum, const ex& term) {
-  Image product = {1};
-  for (const ex& factor : factors_of(term)) {
-    if (is_number(factor)) {
-      const auto number = residue(factor);
-      if (!number) return false;
-      for (std::uint64_t& each : product) each = each * *number % prime;
-      continue;
-    }
-    const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
-    const ex base = is_power ? factor.op(0) : factor;
-    if (!GiNaC::is_a<GiNaC::symbol>(base)) return false;
-    if (is_power && !factor.op(1).info(GiNaC::info_flags::posint)) return false;
-    const std::string name = GiNaC::ex_to<GiNaC::symbol>(base).get_name();
-    const int exponent = is_power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
-    for (int i = 0; i < exponent; ++i) multiply_by_line(product, scattered(name, 0), scattered(name, 1));
-  }
-  sum.degree = std::max(sum.degree, product.size() - 1);
-  if (sum.image.size() < product.size()) sum.image.resize(product.size(), 0);
-  for (std::size_t i = 0; i < product.size(); ++i) sum.image[i] = (sum.image[i] + product[i]) % prime;
-  return true;
-}
+/// Where the line begins and how steep it is, in one letter; 0 where that is not known yet.
+struct LineInLetter {
+  std::uint64_t start = 0;
+  std::uint64_t slope = 0;
+};
 
-[[nodiscard]] std::optional<AlongLine> along_line(const ex& expanded) {
-  AlongLine sum;
-  for (const ex& term : terms_of(expanded)) {
-    if (!add_term(sum, term)) return std::nullopt;
+class Line {
+ public:
+  explicit Line(const PackedLetters& letters) : letters_(letters), in_letters_(letters.count()) {}
+
+  /// Nothing where a denominator is a multiple of the prime.
+  [[nodiscard]] std::optional<AlongLine> along(const PackedPolynomial& value) {
+    AlongLine sum;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const auto number = residue(value.coefficient(i));
+      if (!number) return std::nullopt;
+      product_.assign(1, *number);
+      value.for_each_power(i, [&](std::size_t letter, int exponent) {
+        const LineInLetter& line = in_letter(letter);
+        for (int k = 0; k < exponent; ++k) multiply_by_line(product_, line.start, line.slope);
+      });
+      sum.degree = std::max(sum.degree, product_.size() - 1);
+      if (sum.image.size() < product_.size()) sum.image.resize(product_.size(), 0);
+      for (std::size_t k = 0; k < product_.size(); ++k) sum.image[k] = (sum.image[k] + product_[k]) % prime;
+    }
+    trim(sum.image);
+    return sum;
   }
-  trim(sum.image);
-  return sum;
-}
+
+ private:
+  [[nodiscard]] const LineInLetter& in_letter(std::size_t letter) {
+    LineInLetter& line = in_letters_[letter];
+    if (line.start == 0) {
+      const std::string name = GiNaC::ex_to<GiNaC::symbol>(letters_.at(letter)).get_name();
+      line = {scattered(name, 0), scattered(name, 1)};
+    }
+    return line;
+  }
+
+  const PackedLetters& letters_;
+  std::vector<LineInLetter> in_letters_;
+  Image product_;  // of one term
+};
 
 /// What is left of a when it is divided by b, which is not 0.
 [[nodiscard]] Image remainder(Image a, const Image& b) {
@@ -138,17 +150,23 @@ struct AlongLine {
 
 }  // namespace
 
-bool may_divide(const ex& divisor, const ex& value) {
-  const auto of_divisor = along_line(divisor);
+bool may_divide(const PackedPolynomial& divisor, const PackedPolynomial& value,
+                const PackedLetters& letters) {
+  Line line(letters);
+  const auto of_divisor = line.along(divisor);
   if (!of_divisor || of_divisor->image.empty()) return true;
-  const auto of_value = along_line(value);
+  const auto of_value = line.along(value);
   if (!of_value) return true;
   if (of_divisor->degree > of_value->degree && !value.is_zero()) return false;
   return remainder(of_value->image, of_divisor->image).empty();
 }
 
-bool may_repeat_a_factor(const ex& value) {
-  const auto of_value = along_line(value);
+bool may_repeat_a_factor(const GiNaC::ex& value) {
+  PackedLetters letters;
+  add_letters(letters, value);
+  const auto read = read_polynomial(value, letters);
+  if (!read) return true;
+  const auto of_value = Line(letters).along(read->value);
   // Where the highest terms stay, so do those of each factor: none becomes a number along the line.
   if (!of_value || of_value->image.size() != of_value->degree + 1) return true;
   return have_common_factor(of_value->image, derivative(of_value->image));

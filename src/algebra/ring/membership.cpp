@@ -14,8 +14,6 @@
 namespace rigor {
 namespace {
 
-using GiNaC::ex;
-
 using Row = SparsePolynomial;
 
 /// A combination of equations, and which they are.
@@ -158,15 +156,32 @@ class Echelon {
   std::size_t left_;
 };
 
+/// Empty where an exponent is too large.
+[[nodiscard]] std::optional<Row> row_of(const Numerator& value, const PackedLetters& letters) {
+  const PackedPolynomial* const polynomial = value.packed(letters);
+  if (polynomial == nullptr) return std::nullopt;
+  Row row;
+  for (std::size_t i = 0; i < polynomial->size(); ++i) {
+    Exponents monomial(letters.count(), '\0');
+    int largest = 0;
+    polynomial->for_each_power(i, [&](std::size_t letter, int exponent) {
+      monomial[letter] = static_cast<char>(exponent);
+      largest = std::max(largest, exponent);
+    });
+    if (largest > largest_sparse_exponent) return std::nullopt;
+    row.emplace(std::move(monomial), polynomial->coefficient(i).exact());
+  }
+  return row;
+}
+
 }  // namespace
 
-std::optional<std::set<std::size_t>> combination(const ex& value, std::span<const ex> equations,
-                                                 std::span<const ex> variables,
+std::optional<std::set<std::size_t>> combination(const Numerator& value, std::span<const Numerator> equations,
+                                                 const PackedLetters& letters,
                                                  const MembershipLimits& limits) {
-  const SparseReader reader(variables);
   std::vector<Row> given;
-  for (const ex& equation : equations) given.push_back(reader.read(equation).value_or(Row{}));
-  const std::optional<Row> wanted = reader.read(value);
+  for (const Numerator& equation : equations) given.push_back(row_of(equation, letters).value_or(Row{}));
+  const std::optional<Row> wanted = row_of(value, letters);
   if (!wanted) return std::nullopt;
   Echelon echelon(limits.operations);
   std::vector<Multiple> multiples = Multiples(given, limits.multiples).around(*wanted);
@@ -178,9 +193,9 @@ std::optional<std::set<std::size_t>> combination(const ex& value, std::span<cons
   return std::move(rest.from);
 }
 
-bool is_combination(const ex& value, std::span<const ex> equations, std::span<const ex> variables,
-                    const MembershipLimits& limits) {
-  return combination(value, equations, variables, limits).has_value();
+bool is_combination(const Numerator& value, std::span<const Numerator> equations,
+                    const PackedLetters& letters, const MembershipLimits& limits) {
+  return combination(value, equations, letters, limits).has_value();
 }
 
 /// What is subtracted of the value to leave nothing is the combination.

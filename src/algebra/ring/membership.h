@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "algebra/engine/budget.h"
+#include "algebra/packed/numerator.h"
 #include "algebra/ring/sparse_polynomial.h"
 
 namespace rigor {
@@ -24,15 +25,14 @@ struct MembershipLimits {
   Budget* budget = nullptr;  // counts the operations, if there is one
 };
 
-/// The positions of the equations that take part in a combination; empty if none was found. All polynomials
-/// are expanded; `variables` has whatever occurs in them, always in the same order.
-[[nodiscard]] std::optional<std::set<std::size_t>> combination(const GiNaC::ex& value,
-                                                               std::span<const GiNaC::ex> equations,
-                                                               std::span<const GiNaC::ex> variables,
+/// The positions of the equations that take part in a combination; empty if none was found.
+[[nodiscard]] std::optional<std::set<std::size_t>> combination(const Numerator& value,
+                                                               std::span<const Numerator> equations,
+                                                               const PackedLetters& letters,
                                                                const MembershipLimits& limits = {});
 
-[[nodiscard]] bool is_combination(const GiNaC::ex& value, std::span<const GiNaC::ex> equations,
-                                  std::span<const GiNaC::ex> variables, const MembershipLimits& limits = {});
+[[nodiscard]] bool is_combination(const Numerator& value, std::span<const Numerator> equations,
+                                  const PackedLetters& letters, const MembershipLimits& limits = {});
 
 /// The cofactors g_k of a combination Σ g_k f_k that is the value, one for each equation; empty if none was
 /// found. The same search once more with an account of what was subtracted, which takes about twice as long.

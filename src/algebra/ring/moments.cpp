@@ -3,7 +3,9 @@
 
 #include <ginac/ginac.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "algebra/engine/undecidable.h"
 #include "algebra/ring/division.h"
@@ -24,6 +26,7 @@ Frame Moments::open() {
 }
 
 ex Moments::take_own_divisor(Fraction& body) const {
+  const PackedLetters& letters = indeterminates_.letters();
   ex own = 1;
   std::vector<Divisor> others;
   for (const Divisor& each : body.divisors) {
@@ -32,12 +35,10 @@ ex Moments::take_own_divisor(Fraction& body) const {
       continue;
     }
     int exponent = each.exponent;
-    ex quotient;
-    const bool try_division =
-        !GiNaC::is_a<GiNaC::symbol>(each.base) && term_count(body.numerator) <= largest_numerator;
+    const bool try_division = !GiNaC::is_a<GiNaC::symbol>(each.base.written()) &&
+                              arithmetic_.term_count(body.numerator) <= largest_numerator;
     while (try_division && exponent > 0 &&
-           divides(each.base, body.numerator, quotient, arithmetic_.budget())) {
-      body.numerator = quotient;
+           divides(each.base, body.numerator, body.numerator, letters, arithmetic_.budget())) {
       --exponent;
     }
     own *= GiNaC::pow(each.base, exponent);
@@ -46,18 +47,22 @@ ex Moments::take_own_divisor(Fraction& body) const {
   return own;
 }
 
-Moments::Term Moments::split(const ex& term, const ex& divisor) const {
-  Term parts;
-  const auto take = [&](const ex& factor) {
-    const bool own = (indeterminates_.frames_of(factor) & only(innermost())) != 0;
-    (own ? parts.key : parts.coefficient) *= factor;
-  };
-  if (GiNaC::is_a<GiNaC::mul>(term)) {
-    for (std::size_t i = 0; i < term.nops(); ++i) take(term.op(i));
-  } else {
-    take(term);
+Moments::Terms Moments::by_own_part(const PackedPolynomial& body) const {
+  std::map<Monomial, PackedPolynomial::Terms> parts;
+  Monomial own;
+  Monomial other;
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    own.clear();
+    other.clear();
+    body.for_each_power(i, [&](std::size_t letter, int exponent) {
+      const bool is_own = (indeterminates_.frames_at(letter) & only(innermost())) != 0;
+      (is_own ? own : other).emplace_back(letter, exponent);
+    });
+    PackedPolynomial::Terms& terms = parts[own];
+    terms.numbers.push_back(body.coefficient(i));
+    terms.powers.insert(terms.powers.end(), other.begin(), other.end());
+    terms.ends.push_back(terms.powers.size());
   }
-  parts.key /= divisor;
   return parts;
 }
 
@@ -67,28 +72,26 @@ Fraction Moments::sum(Fraction body) {
   arithmetic_.expand(body);
   body.numerator = radicals_.reduced(body.numerator);
   const ex divisor = take_own_divisor(body);
-  body.numerator = body.numerator.expand();
-  arithmetic_.count(price::summed_term * static_cast<double>(term_count(body.numerator)));
-  std::map<ex, GiNaC::exvector, GiNaC::ex_is_less> by_key;
-  const auto add_term = [&](const ex& term) {
-    const Term parts = split(term, divisor);
-    by_key[parts.key].push_back(parts.coefficient);
-  };
-  if (GiNaC::is_a<GiNaC::add>(body.numerator)) {
-    for (std::size_t i = 0; i < body.numerator.nops(); ++i) add_term(body.numerator.op(i));
-  } else {
-    add_term(body.numerator);
+  const PackedLetters& letters = indeterminates_.letters();
+  const PackedPolynomial* const expanded = body.numerator.packed(letters);
+  if (expanded == nullptr) throw Undecidable("the degree of what is summed over particles is too high");
+  const auto terms = static_cast<double>(std::max<std::size_t>(expanded->size(), 1));
+  arithmetic_.count(price::summed_term * static_cast<double>(expanded->size()));
+  Terms parts = by_own_part(*expanded);
+  if (parts.empty()) parts[{}];  // the sum of zeros: so many as there are particles
+  std::map<std::string, std::pair<ex, Terms::value_type*>> in_order;  // moments are created in the same order
+  for (auto& part : parts) {
+    const ex key = to_ex(PackedPolynomial(1, part.first), letters) / divisor;
+    in_order.emplace(indeterminates_.fingerprint(key), std::pair(key, &part));
   }
-  std::map<std::string, ex> in_order;  // moments are created in the same order in every run
-  for (const auto& [key, coefficients] : by_key) in_order.emplace(indeterminates_.fingerprint(key), key);
-  GiNaC::exvector summands;
-  for (const auto& [fingerprint, key] : in_order) {
-    const GiNaC::exvector& coefficients = by_key[key];
-    const ex factor = moment(key);
-    for (const ex& coefficient : coefficients) summands.push_back(coefficient * factor);
+  Numerator total;
+  for (auto& [fingerprint, part] : in_order) {
+    const Numerator coefficient(PackedPolynomial(std::move(part.second->second)), letters);
+    const PackedPolynomial factor = *Numerator(moment(part.first)).packed(letters);
+    total.add({*coefficient.packed(letters) * factor, letters}, letters);
   }
-  body.numerator = GiNaC::add(summands);
-  body.terms = static_cast<double>(summands.size());
+  body.numerator = total;
+  body.terms = terms;
   return body;
 }
 

@@ -12,6 +12,8 @@
 #pragma once
 
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "algebra/ring/radicals.h"
 
@@ -38,12 +40,10 @@ class Moments {
   [[nodiscard]] const std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less>& by_key() const { return moments_; }
 
  private:
-  struct Term {
-    GiNaC::ex coefficient = 1;
-    GiNaC::ex key = 1;
-  };
+  using Monomial = std::vector<std::pair<std::size_t, int>>;  // letters and exponents
+  using Terms = std::map<Monomial, PackedPolynomial::Terms>;  // by what is the particle's own
   [[nodiscard]] Frame innermost() const { return outermost_ + depth_ - 1; }
-  [[nodiscard]] Term split(const GiNaC::ex& term, const GiNaC::ex& divisor) const;
+  [[nodiscard]] Terms by_own_part(const PackedPolynomial& body) const;
   [[nodiscard]] GiNaC::ex moment(const GiNaC::ex& key);
   /// The part of the divisors that is the particle's own, taken out of `body`; common factors of it and the
   /// numerator cancel.

@@ -258,20 +258,20 @@ Fraction Radicals::absolute(const ex& value) {
 std::vector<std::pair<ex, ex>> Radicals::roots() const {
   std::vector<std::pair<ex, ex>> all;
   for (const Radical& each : radicals_) {
-    if (each.root) all.emplace_back(each.symbol, each.square);
+    if (each.root) all.emplace_back(each.symbol, each.square.written());
   }
   return all;
 }
 
 std::vector<std::pair<ex, ex>> Radicals::relations() const {
   std::vector<std::pair<ex, ex>> all;
-  for (const Radical& each : radicals_) all.emplace_back(each.symbol, each.square);
+  for (const Radical& each : radicals_) all.emplace_back(each.symbol, each.square.written());
   return all;
 }
 
 Fraction Radicals::radical(const ex& square) {
   for (const Radical& known : radicals_) {
-    if (known.root && known.square.is_equal(square)) return polynomial(known.symbol);
+    if (known.root && known.square.written().is_equal(square)) return polynomial(known.symbol);
   }
   const ex symbol = indeterminates_.fresh(Indeterminates::Kind::radical, indeterminates_.frames_of(square));
   radicals_.push_back({symbol, square});
@@ -283,30 +283,45 @@ Fraction Radicals::radical(const ex& square) {
 void Radicals::relate(const ex& symbol, const ex& square) {
   const bool known =
       std::ranges::any_of(radicals_, [&](const Radical& each) { return each.symbol.is_equal(symbol); });
-  if (!known) radicals_.push_back({symbol, square.expand(), false});
+  if (!known) radicals_.push_back({symbol, Numerator(square.expand()), false});
 }
 
-ex Radicals::reduced(const ex& expanded) {
-  ex value = expanded;
-  arithmetic_.count(static_cast<double>(term_count(expanded) * radicals_.size()));
+Numerator Radicals::reduced(const Numerator& expanded) {
+  if (radicals_.empty()) return expanded;
+  const PackedLetters& letters = indeterminates_.letters();
+  Numerator value = expanded;
+  arithmetic_.count(static_cast<double>(arithmetic_.term_count(expanded) * radicals_.size()));
   for (std::size_t i = radicals_.size(); i-- > 0;) {
     const Radical each = radicals_[i];
-    arithmetic_.count(price::looked_at_term * static_cast<double>(term_count(value)));
-    std::map<int, GiNaC::exvector> coefficients;  // of the powers from the second on
-    GiNaC::exvector summands;
-    for (const ex& term : terms_of(value)) {
-      const int degree = term.degree(each.symbol);
-      if (degree < 2) summands.push_back(term);
-      if (degree >= 2) coefficients[degree].push_back(term.coeff(each.symbol, degree));
+    arithmetic_.count(price::looked_at_term * static_cast<double>(arithmetic_.term_count(value)));
+    const PackedPolynomial* const packed = value.packed(letters);
+    if (packed == nullptr) {  // its degree is very high
+      value = value.written().subs(GiNaC::pow(each.symbol, 2) == each.square.written(),
+                                   GiNaC::subs_options::algebraic);
+      value = value.written().expand();
+      continue;
     }
-    if (coefficients.empty()) continue;
-    double terms = static_cast<double>(summands.size());
-    for (const auto& [degree, of_power] : coefficients) {
-      const Fraction factor = arithmetic_.power(polynomial(each.square), degree / 2);
-      terms += factor.terms * static_cast<double>(of_power.size());
-      summands.push_back(GiNaC::add(of_power) * factor.numerator * GiNaC::pow(each.symbol, degree % 2));
+    const std::size_t letter = letters.position(each.symbol);
+    const int degree = packed->degree_in(letter);
+    if (degree < 2) continue;
+    double terms = 0;
+    Numerator sum;
+    for (int power = 0; power <= degree; ++power) {
+      PackedPolynomial coefficient = packed->coefficient_of(letter, power);
+      if (coefficient.is_zero()) continue;
+      const auto count = static_cast<double>(coefficient.size());
+      Numerator part(std::move(coefficient), letters);
+      if (power % 2 != 0) part = part.times(each.symbol, letters);
+      if (power >= 2) {
+        const Fraction factor = arithmetic_.power(polynomial(each.square), power / 2);
+        part = part.times(factor.numerator, letters);
+        terms += factor.terms * count;
+      } else {
+        terms += count;
+      }
+      sum.add(part, letters);
     }
-    value = arithmetic_.expanded(GiNaC::add(summands), terms);
+    value = arithmetic_.expanded(sum, terms);
   }
   return value;
 }
@@ -337,8 +352,8 @@ ex Radicals::squared(const ex& equation) {
   const ex b = equation.coeff(only->symbol, 0);
   const double terms_of_a = std::pow(static_cast<double>(term_count(a)), 2);
   const double terms_of_b = std::pow(static_cast<double>(term_count(b)), 2);
-  const double terms = terms_of_b + terms_of_a * static_cast<double>(term_count(only->square));
-  return reduced(arithmetic_.expanded(b * b - a * a * only->square, terms));
+  const double terms = terms_of_b + terms_of_a * static_cast<double>(term_count(only->square.written()));
+  return reduced(arithmetic_.expanded(b * b - a * a * only->square.written(), terms));
 }
 
 ex Radicals::moved(const ex& value, Frame from, Frame to) {
@@ -348,7 +363,7 @@ ex Radicals::moved(const ex& value, Frame from, Frame to) {
   for (std::size_t i = 0; i < present; ++i) {
     const Radical each = radicals_[i];
     if ((indeterminates_.frames_of(each.square) & only(from)) == 0) continue;
-    const ex square = each.square.subs(map, GiNaC::subs_options::no_pattern);
+    const ex square = each.square.written().subs(map, GiNaC::subs_options::no_pattern);
     const auto twin = map.find(each.symbol);
     if (each.root) {
       map.emplace(each.symbol, radical(square).numerator);

@@ -34,7 +34,7 @@ class Radicals {
   void relate(const GiNaC::ex& symbol, const GiNaC::ex& square);
 
   /// An expanded polynomial with s² replaced by R as often as it occurs, expanded again.
-  [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& expanded);
+  [[nodiscard]] Numerator reduced(const Numerator& expanded);
 
   /// 1/s as s/R: one form for |r|^-3 and |r|/r⁴.
   void rationalize(Fraction& value);
@@ -51,7 +51,7 @@ class Radicals {
  private:
   struct Radical {
     GiNaC::ex symbol;
-    GiNaC::ex square;  // expanded; has only earlier radicals in it
+    Numerator square;  // expanded; has only earlier radicals in it
     bool root = true;  // never negative
   };
   struct Factor {
