@@ -67,8 +67,8 @@ template <class Archive>
 void fields(Archive& archive, Symbol& symbol) {
   bool measures = symbol.unit_of_measure.has_value();
   archive(symbol.name, symbol.rank, symbol.per_particle, symbol.symmetric, symbol.unit, symbol.rotation,
-          symbol.complex, symbol.noncommuting, symbol.unsized, symbol.declared, symbol.circle_number, measures,
-          symbol.derivation);
+          symbol.complex, symbol.noncommuting, symbol.unsized, symbol.declared, symbol.circle_number,
+          measures, symbol.derivation);
   if (measures) symbol.unit_of_measure.emplace();
   spaces_of(archive, symbol.axes, std::min(symbol.rank, most_axes_apart));
 }
