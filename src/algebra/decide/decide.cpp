@@ -10,6 +10,7 @@
 #include <set>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "algebra/decide/prove.h"
 #include "algebra/decide/sign_cases.h"
@@ -394,16 +395,18 @@ Decision decide_in_parts(const Question& question, const Limits& limits) {
 }
 
 /// A statement about matrices of any size, by those of two rows. One that fails for these and holds for three
-/// may be meant for three, and the other way round: it has to fail for both.
+/// may be meant for three, and the other way round: it has to fail for both, if the notes do not say which.
 [[nodiscard]] std::optional<Decision> refuted_at_sizes(const Question& question, const Limits& limits) {
   if (limits.only_proofs || question.claim.relation != Relation::equal) return std::nullopt;
   Limits cheap = limits;
   cheap.expanded_terms = cheap_terms;
   std::optional<Decision> refutation;
-  for (const int rows : {3, 2}) {
+  const int stated = stated_rows(question);
+  const std::vector<int> sizes = stated == 0 ? std::vector{3, 2} : std::vector{stated};
+  for (const int rows : sizes) {
     const auto at = at_size(question, rows);
     if (!at || at->sized.empty()) return std::nullopt;
-    cheap.simplest_sample = limits.simplest_sample && rows == 2;
+    cheap.simplest_sample = limits.simplest_sample && rows == sizes.back();
     Decision decision = decide(at->question, cheap);
     if (decision.outcome != Outcome::refuted) return std::nullopt;
     decision.sample = unsized(*std::move(decision.sample), *at);
@@ -412,12 +415,25 @@ Decision decide_in_parts(const Question& question, const Limits& limits) {
   return confirmed(question, *std::move(refutation));
 }
 
+/// Of 2×2 matrices it is a statement about four numbers each.
+[[nodiscard]] std::optional<Decision> proved_at_stated_size(const Question& question, const Limits& limits) {
+  const int rows = stated_rows(question);
+  const auto at = rows == 0 ? std::nullopt : at_size(question, rows);
+  if (!at || at->sized.empty()) return std::nullopt;
+  Decision decision = decide(at->question, limits);
+  if (decision.outcome != Outcome::proved) return std::nullopt;
+  decision.unfolded.insert(decision.unfolded.end(), at->unfolded.begin(), at->unfolded.end());
+  decision.proof.reset();  // it speaks of letters that the question does not have
+  return decision;
+}
+
 [[nodiscard]] Decision decide_about_operators(const Question& question, const Limits& limits) {
   try {
     return decide_operators(question, limits, [](const Question& numbers, const Limits& most) {
       return rigor::decide(numbers, most);
     });
   } catch (const Undecidable& reason) {
+    if (auto proof = proved_at_stated_size(question, limits)) return *std::move(proof);
     if (auto refutation = refuted_at_sizes(question, limits)) return *std::move(refutation);
     return undecided(reason.what());
   }

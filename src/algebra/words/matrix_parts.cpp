@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -75,7 +77,45 @@ void refuse_adjoints(const Word& word) {
   return word;
 }
 
-[[nodiscard]] Coefficient trace_of(Word word, CommutingParts& parts) {
+/// A written number, or a letter.
+[[nodiscard]] Coefficient number_of_rows(ExprId rows, CommutingParts& parts) {
+  const ExprTree& tree = parts.tree();
+  if (tree[rows].op == Op::number) return rational({std::stoi(tree.digits(rows)), 1});
+  return power_of_part(parts.number_of(rows), 1);
+}
+
+/// baseⁿ of a positive number or a letter, as the notes write it.
+[[nodiscard]] Coefficient to_the_rows(ExprId base, ExprId rows, int sign, CommutingParts& parts) {
+  const std::array both{base, rows};
+  ExprTree& tree = parts.tree();
+  return power_of_part(parts.number_of(tree.add({.op = Op::real_power}, both)), sign);
+}
+
+/// cⁿ of one term, in its factors.
+[[nodiscard]] Coefficient to_the_rows(const Coefficient& c, ExprId rows, CommutingParts& parts) {
+  ExprTree& tree = parts.tree();
+  Coefficient total = rational({1, 1});
+  if (tree[rows].op == Op::number) {
+    for (int k = std::stoi(tree.digits(rows)); k > 0; --k) total = times(total, c);
+    return total;
+  }
+  const auto& [monomial, value] = *c.begin();
+  if (c.size() > 1 || value.above < 0)
+    throw Undecidable("the determinant of such a multiple of a matrix of n rows is not decided");
+  for (const auto& [number, sign] : {std::pair(value.above, 1), std::pair(value.below, -1)}) {
+    if (number != 1)
+      total = times(total, to_the_rows(tree.add_number({}, std::to_string(number)), rows, sign, parts));
+  }
+  for (const auto& [part, exponent] : monomial) {
+    if (std::abs(exponent) != 1 || part == CommutingParts::imaginary)
+      throw Undecidable("the determinant of such a multiple of a matrix of n rows is not decided");
+    total = times(total, to_the_rows(parts.part(part), rows, exponent, parts));
+  }
+  return total;
+}
+
+[[nodiscard]] Coefficient trace_of(Word word, std::optional<ExprId> rows, CommutingParts& parts) {
+  if (word.empty() && rows) return number_of_rows(*rows, parts);
   refuse_adjoints(word);
   const ExprTree& tree = parts.tree();
   word = without_cancelling_ends(std::move(word));
@@ -139,13 +179,14 @@ WordSum with_numbers_out(const WordSum& sum, CommutingParts& parts) {
   return result;
 }
 
-Coefficient trace_of(const WordSum& sum, CommutingParts& parts) {
+Coefficient trace_of(const WordSum& sum, std::optional<ExprId> rows, CommutingParts& parts) {
   Coefficient total;
-  for (const auto& [word, coefficient] : sum) add_to(total, times(coefficient, trace_of(word, parts)));
+  for (const auto& [word, coefficient] : sum) add_to(total, times(coefficient, trace_of(word, rows, parts)));
   return total;
 }
 
-Coefficient determinant_of(const WordSum& given, const std::set<SymbolId>& square, CommutingParts& parts) {
+Coefficient determinant_of(const WordSum& given, const std::set<SymbolId>& square, std::optional<ExprId> rows,
+                           CommutingParts& parts) {
   WordSum sum = given;
   for (const auto& [word, coefficient] : sum) {
     refuse_adjoints(word);
@@ -157,10 +198,10 @@ Coefficient determinant_of(const WordSum& given, const std::set<SymbolId>& squar
   while (strip_ends(sum)) {
   }
   if (sum.empty()) return {};
-  const bool product = sum.size() == 1 && sum.begin()->second == rational({1, 1});
-  if (!product)
+  const bool alone = sum.begin()->second == rational({1, 1});
+  if (sum.size() > 1 || (!alone && !rows))
     return power_of_part(parts.number_named("#det " + std::min(text_of(sum), text_of(transpose(sum)))), 1);
-  Coefficient total = rational({1, 1});
+  Coefficient total = alone ? rational({1, 1}) : to_the_rows(sum.begin()->second, *rows, parts);
   for (const Letter& letter : sum.begin()->first) {
     const std::string name = text_of(Word{{.symbol = letter.symbol, .component = letter.component}});
     total = times(total, power_of_part(parts.number_named("#det " + name), letter.inverse ? -1 : 1));

@@ -3,6 +3,7 @@
 // ones become one part: xᵀAy = yᵀAᵀx, tr ABC = tr CAB = tr (ABC)ᵀ, det AB = det A det B.
 #pragma once
 
+#include <optional>
 #include <set>
 
 #include "algebra/words/word_sum.h"
@@ -12,13 +13,14 @@ namespace rigor {
 /// A row before a column, with matrices between, is taken out of each word.
 [[nodiscard]] WordSum with_numbers_out(const WordSum& sum, CommutingParts& parts);
 
-/// Throws Undecidable where a word is no square matrix.
-[[nodiscard]] Coefficient trace_of(const WordSum& sum, CommutingParts& parts);
+/// `rows`: how many it has, if that is known; the trace of 1 is that. Throws Undecidable where a word is no
+/// square matrix.
+[[nodiscard]] Coefficient trace_of(const WordSum& sum, std::optional<ExprId> rows, CommutingParts& parts);
 
 /// The product of those of its factors, where each is one of `square`. What is no product is one part, with
-/// what stands on both sides of all its words as X⁻¹…X taken away. Throws Undecidable where a factor may not
-/// be square.
+/// what stands on both sides of all its words as X⁻¹…X taken away. det cA = cⁿ det A where n is known. Throws
+/// Undecidable where a factor may not be square.
 [[nodiscard]] Coefficient determinant_of(const WordSum& sum, const std::set<SymbolId>& square,
-                                         CommutingParts& parts);
+                                         std::optional<ExprId> rows, CommutingParts& parts);
 
 }  // namespace rigor

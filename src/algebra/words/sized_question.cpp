@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "expr/calculus/differentiate.h"
+
 namespace rigor {
 namespace {
 
@@ -153,6 +155,7 @@ std::optional<Block> Sizer::symbol(ExprId id) {
   if (definition != nullptr) {
     if (definition->by_square || !definition->indices.empty() || !opened_.insert(symbol).second)
       return std::nullopt;
+    into_.unfolded.insert(symbol);
     auto body = block(definition->body);
     opened_.erase(symbol);
     return body;
@@ -332,6 +335,49 @@ ExprId Sizer::whole(const Block& of) {
   return tuple(lines, 2);
 }
 
+[[nodiscard]] std::vector<ExprId> roots_of(const Question& question) {
+  std::vector<ExprId> roots{question.claim.left, question.claim.right};
+  for (const Equation& each : question.assumptions) roots.insert(roots.end(), {each.left, each.right});
+  for (const Definition& each : question.definitions) roots.push_back(each.body);
+  return roots;
+}
+
+/// The second children of traces and determinants.
+[[nodiscard]] std::vector<ExprId> numbers_of_rows(const Question& question) {
+  std::vector<ExprId> said;
+  for (const ExprId id : nodes_below(*question.tree, roots_of(question))) {
+    const Op op = (*question.tree)[id].op;
+    if ((op == Op::trace || op == Op::matrix_determinant) && (*question.tree)[id].count == 2)
+      said.push_back(question.tree->children(id)[1]);
+  }
+  return said;
+}
+
+/// n becomes the number. False: another number is written.
+[[nodiscard]] bool put_in_rows(SizedQuestion& sized) {
+  ExprTree& tree = *sized.tree;
+  std::set<SymbolId> letters;
+  for (const ExprId said : numbers_of_rows(sized.question)) {
+    if (tree[said].op == Op::number && tree.digits(said) != std::to_string(sized.rows)) return false;
+    if (tree[said].op == Op::symbol) letters.insert(tree[said].symbol);
+  }
+  if (letters.empty()) return true;
+  const auto put_in = [&](ExprId& root) {
+    root = replaced(tree, root, [&](ExprId id) -> std::optional<ExprId> {
+      if (!letters.contains(tree[id].symbol)) return std::nullopt;
+      return tree.add_number(tree[id].span, std::to_string(sized.rows));
+    });
+  };
+  put_in(sized.question.claim.left);
+  put_in(sized.question.claim.right);
+  for (Equation& each : sized.question.assumptions) {
+    put_in(each.left);
+    put_in(each.right);
+  }
+  for (Definition& each : sized.question.definitions) put_in(each.body);
+  return true;
+}
+
 [[nodiscard]] Sample renamed(Sample sample, const std::map<SymbolId, SymbolId>& names) {
   for (SampleValue& value : sample.values) {
     if (const auto found = names.find(value.symbol); found != names.end()) value.symbol = found->second;
@@ -341,13 +387,23 @@ ExprId Sizer::whole(const Block& of) {
 
 }  // namespace
 
+int stated_rows(const Question& question) {
+  int rows = 0;
+  for (const ExprId said : numbers_of_rows(question)) {
+    if ((*question.tree)[said].op == Op::number) rows = std::stoi(question.tree->digits(said));
+  }
+  return rows;
+}
+
 std::optional<SizedQuestion> at_size(const Question& question, int rows) {
   SizedQuestion result;
   result.tree = std::make_unique<ExprTree>(*question.tree);
   result.question = question;
   result.question.tree = result.tree.get();
   result.rows = rows;
-  Sizer sizer(result, question);
+  if (!put_in_rows(result)) return std::nullopt;
+  const Question given = result.question;
+  Sizer sizer(result, given);
   if (!question.claim.particles.empty() || !question.claim.indices.empty()) return std::nullopt;
   if (!sizer.equation(result.question.claim)) return std::nullopt;
   for (Equation& assumption : result.question.assumptions) {

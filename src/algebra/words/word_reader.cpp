@@ -66,7 +66,7 @@ void WordReader::see_squares() {
     if (node.op == Op::symbol && tree().symbols[node.symbol].unsized == Unsized::square)
       square_.insert(node.symbol);
     if (!asks) continue;
-    ExprId of = tree().children(id).back();
+    ExprId of = tree().children(id)[node.op == Op::divide ? 1 : 0];
     while (tree()[of].op == Op::transpose) of = tree().children(of)[0];
     if (tree()[of].op != Op::symbol) continue;
     const Unsized kind = tree().symbols[tree()[of].symbol].unsized;
@@ -112,9 +112,9 @@ std::vector<WordSum> WordReader::read(ExprId id, const AxesOfIndices& axes) {
       return all;
     }
     case Op::trace:
-      return {scalar(trace_of(reduced(read_scalar(children[0], axes)), parts_))};
+      return {scalar(trace_of(reduced(read_scalar(children[0], axes)), rows_of(id), parts_))};
     case Op::matrix_determinant:
-      return {scalar(determinant_of(reduced(read_scalar(children[0], axes)), square_, parts_))};
+      return {scalar(determinant_of(reduced(read_scalar(children[0], axes)), square_, rows_of(id), parts_))};
     case Op::multiply:
       return product(id, axes);
     case Op::dot:
@@ -169,6 +169,11 @@ std::optional<WordSum> WordReader::function_of_numbers(ExprId id, const AxesOfIn
         as_expression(inside.empty() ? Coefficient{} : inside.begin()->second, parts_, node.span));
   }
   return scalar(power_of_part(parts_.number_of(parts_.tree().add(node, children)), 1));
+}
+
+/// Of the matrix of a trace or a determinant.
+std::optional<ExprId> WordReader::rows_of(ExprId id) const {
+  return tree()[id].count == 2 ? std::optional(tree().children(id)[1]) : std::nullopt;
 }
 
 /// Is there an operator in it, or in what defines a symbol of it?

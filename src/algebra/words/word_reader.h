@@ -54,6 +54,7 @@ class WordReader {
   [[nodiscard]] bool unfolds(SymbolId symbol) const;
   [[nodiscard]] bool reaches_operators(ExprId id);
   [[nodiscard]] std::optional<WordSum> function_of_numbers(ExprId id, const AxesOfIndices& axes);
+  [[nodiscard]] std::optional<ExprId> rows_of(ExprId id) const;
   [[nodiscard]] Components commuting(ExprId id, const AxesOfIndices& axes);
   [[nodiscard]] WordSum read_scalar(ExprId id, const AxesOfIndices& axes);
   [[nodiscard]] Components symbol(ExprId id, const AxesOfIndices& axes);

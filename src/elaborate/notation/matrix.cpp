@@ -282,13 +282,31 @@ MaybeTyped trace_of(Reading& reading, const Typed& inside, Span span) {
 
 }  // namespace
 
+namespace {
+
+/// n of "$n\\times n$ matrices", if the section says one size only.
+std::optional<Typed> rows_of_unsized(Reading& reading, Span span) {
+  const UnsizedMatrices& said = reading.names.symbols.evidence->unsized;
+  if (said.rectangular || said.sizes.size() != 1) return std::nullopt;
+  const std::string& rows = *said.sizes.begin();
+  if (rows.size() != 1 || (!is_digit(rows[0]) && !is_letter(rows[0]))) return std::nullopt;
+  if (is_digit(rows[0])) return Typed{.id = reading.tree.add_number(span, rows)};
+  const SymbolId symbol = symbol_named(reading, {.base = rows}, rows, span);
+  return Typed{.id = reading.tree.add({.op = Op::symbol, .span = span, .symbol = symbol})};
+}
+
+}  // namespace
+
 MaybeTyped trace_or_determinant(Reading& reading, SyntaxId id, bool trace, const Around& around) {
   const Span span = reading.syntax[id].span;
   const auto whole = whole_tensor(reading, id, around);
   const auto inside = whole ? whole : elaborate(reading, id, around);
   if (!inside) return inside;
-  if (is_unsized(reading.tree, inside->id))
-    return apply_op(reading.tree, trace ? Op::trace : Op::matrix_determinant, span, 0, {*inside});
+  if (is_unsized(reading.tree, inside->id)) {
+    std::vector<Typed> operands{*inside};
+    if (const auto rows = rows_of_unsized(reading, span)) operands.push_back(*rows);
+    return apply_op(reading.tree, trace ? Op::trace : Op::matrix_determinant, span, 0, operands);
+  }
   if (!trace) return determinant_of(reading, id, *inside, span, around);
   if (is_triple(*inside))
     return of_each_member(reading, *inside, span,

@@ -144,6 +144,7 @@ std::optional<ExprId> Differentiator::of_sum(ExprId id) {
 std::optional<ExprId> Differentiator::of_linear(ExprId id) {
   const Maybe inner = derivative(child(id));
   if (!inner) return std::nullopt;
+  if (tree_[id].op == Op::trace && tree_[id].count == 2) return copy(id, {*inner, child(id, 1)});
   if (tree_[id].op != Op::component) return copy(id, {*inner});
   const std::vector<Slot> slots(tree_.slots(id).begin(), tree_.slots(id).end());
   return component_of(tree_, *inner, slots);

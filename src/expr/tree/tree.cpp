@@ -68,9 +68,10 @@ struct Shape {
     case Op::particle_sum:
     case Op::function:
     case Op::transpose:
+      return {1, 0};
     case Op::trace:
     case Op::matrix_determinant:
-      return {1, 0};
+      return {any_count, 0};  // one or two
     case Op::table:
       return {any_count, any_count};
   }
@@ -129,9 +130,10 @@ constexpr int no_rank = -1;
     case Op::absolute:
     case Op::function:
     case Op::transpose:
+      return ranks[0] == 0 ? 0 : no_rank;
     case Op::trace:
     case Op::matrix_determinant:
-      return ranks[0] == 0 ? 0 : no_rank;
+      return !ranks.empty() && ranks.size() <= 2 && all_of_rank(ranks, 0) ? 0 : no_rank;
     case Op::length:
       return ranks[0] == 1 ? 0 : no_rank;
     case Op::dot:

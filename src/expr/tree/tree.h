@@ -52,8 +52,8 @@ enum class Op : std::uint8_t {
   real_part,           // the same
   imaginary_part,      // the same; a real number
   transpose,           // of a matrix of any size; rank 0, as such a matrix has
-  trace,               // the same; a number
-  matrix_determinant,  // the same
+  trace,               // the same; a number. A second child: how many rows it has, if the notes say so
+  matrix_determinant,  // as the trace
   index_sum,           // Σ over `index`, along the axes of its space
   particle_sum,        // Σ over all particles
   function,            // `function` of one child of rank 0; rank 0

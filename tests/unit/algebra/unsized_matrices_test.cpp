@@ -55,6 +55,28 @@ TEST_CASE("traces and determinants know no more than what holds for all sizes", 
   CHECK(decide(of.page.claim(two, of.page.zero())).outcome == Outcome::undecided);
 }
 
+TEST_CASE("the number of rows is what the notes say", "[algebra]") {
+  Letters of;
+  const Named n = of.page.scalar("n");
+  const Named c = of.page.scalar("c");
+  const auto determinant_in = [](const Term& a, const Term& rows) {
+    return node(Op::matrix_determinant, {a, rows}, 0);
+  };
+  const auto trace_in = [](const Term& a, const Term& rows) { return node(Op::trace, {a, rows}, 0); };
+  const Term power = node(Op::real_power, {c, n}, 0);
+  CHECK(is_proved(of.page.claim(determinant_in(c * of.a, n), power * determinant_in(of.a, n))));
+  CHECK(is_refuted(of.page.claim(determinant_in(c * of.a, n), c * determinant_in(of.a, n))));
+  CHECK(
+      is_proved(of.page.claim(trace_in(of.a + c * (of.b * inverse_of(of.b)), n), trace_in(of.a, n) + c * n)));
+  const auto cayley = [&](const char* rows) {
+    const Term count = of.page.number(rows);
+    return of.page.claim(of.a * of.a - trace_in(of.a, count) * of.a + determinant_in(of.a, count),
+                         of.page.zero());
+  };
+  CHECK(is_proved(cayley("2")));
+  CHECK(is_refuted(cayley("3")));
+}
+
 TEST_CASE("a product of matrices that are not inverted has an inverse of its own", "[algebra]") {
   Letters of;
   const Term inverse = inverse_of(transposed(of.m) * of.m);
