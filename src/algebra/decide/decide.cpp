@@ -399,7 +399,7 @@ Decision decide_in_parts(const Question& question, const Limits& limits) {
 [[nodiscard]] std::optional<Decision> refuted_at_sizes(const Question& question, const Limits& limits) {
   if (limits.only_proofs || question.claim.relation != Relation::equal) return std::nullopt;
   Limits cheap = limits;
-  cheap.expanded_terms = cheap_terms;
+  cheap.expanded_terms = 5 * cheap_terms;
   std::optional<Decision> refutation;
   const int stated = stated_rows(question);
   const std::vector<int> sizes = stated == 0 ? std::vector{3, 2} : std::vector{stated};

@@ -96,8 +96,56 @@ void add_law(WordSum zero, const Positions& by, const WordReader& reader, OwnQue
   for (WordSum& law : laws) rules.add(std::move(law), by);
 }
 
+/// `QP - PQ = i\hbar`: its words have no trace together, and 1 has one.
+[[nodiscard]] bool is_beyond_matrices(const WordSum& zero, CommutingParts& parts) {
+  if (zero.empty() || !zero.begin()->first.empty()) return false;
+  WordSum words = zero;
+  words.erase(Word{});
+  try {
+    return !words.empty() && trace_of(words, {}, parts).empty();
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
+/// Forbids traces where a law is beyond matrices.
+void see_laws_of_traces(OwnQuestion& own, WordReader& reader, const Positions& laws) {
+  reader.read_laws(true);
+  for (const std::size_t which : laws) {
+    try {
+      for_each_difference(own, reader, own.question.assumptions[which], [&](const WordSum& zero) {
+        if (is_beyond_matrices(zero, own.parts)) reader.forbid_traces();
+      });
+    } catch (const Undecidable&) {
+      // what cannot be read says nothing
+    }
+  }
+}
+
+/// Of `Q^TQ = 1` of square matrices: det Q^TQ = 1.
+void add_determinants(const WordSum& zero, std::size_t which, const WordReader& reader, OwnQuestion& own,
+                      NumberLaws& numbers) {
+  const Coefficient one = rational({1, 1});
+  const Coefficient minus = rational({-1, 1});
+  if (!reader.has_determinants() || zero.size() != 2) return;
+  const auto& [first, before] = *zero.begin();
+  const auto& [last, behind] = *std::prev(zero.end());
+  const bool fits = (before == one && behind == minus) || (before == minus && behind == one);
+  if (!fits) return;
+  try {
+    Coefficient difference = determinant_of({{first, one}}, reader.squares(), {}, own.parts);
+    const Coefficient other = determinant_of({{last, one}}, reader.squares(), {}, own.parts);
+    add_to(difference, times(minus, other));
+    const Span span = (*own.tree)[own.question.claim.left].span;
+    numbers.emplace_back(as_expression(difference, own.parts, span), which);
+  } catch (const Undecidable&) {
+    // a matrix of the law may not be square
+  }
+}
+
 void add_rule(OwnQuestion& own, WordReader& reader, std::size_t which, WordRules& rules,
               NumberLaws* numbers) {
+  reader.read_laws(true);
   for_each_difference(own, reader, own.question.assumptions[which], [&](const WordSum& difference) {
     WordSum zero = with_numbers_out(difference, own.parts);
     const bool number = zero.size() == 1 && zero.begin()->first.empty();
@@ -106,6 +154,8 @@ void add_rule(OwnQuestion& own, WordReader& reader, std::size_t which, WordRules
       numbers->emplace_back(as_expression(zero.begin()->second, own.parts, span), which);
       return;
     }
+    if (reader.has_traces() && is_beyond_matrices(zero, own.parts)) reader.forbid_traces();
+    if (numbers != nullptr) add_determinants(zero, which, reader, own, *numbers);
     add_law(std::move(zero), {which}, reader, own, rules);
   });
 }
@@ -147,11 +197,10 @@ void complete_to_the_end(WordRules& rules) {
 [[nodiscard]] std::vector<WordSum> normal_differences(OwnQuestion& own, WordReader& reader,
                                                       const Equation& equation, WordRules& rules,
                                                       Positions& used) {
-  const std::size_t known = reader.inverses().size();
+  reader.read_laws(false);
   for_each_difference(own, reader, equation, [](const WordSum&) {});
-  for (std::size_t k = known; k < reader.inverses().size(); ++k)
-    add_law(reader.inverses()[k], {}, reader, own, rules);
-  if (reader.inverses().size() > known) complete_as_far_as_possible(rules);
+  for (const WordSum& inverse : reader.inverses()) add_law(inverse, {}, reader, own, rules);
+  if (!reader.inverses().empty()) complete_as_far_as_possible(rules);
   reader.reduce_by(&rules);
   std::vector<WordSum> all;
   for_each_difference(own, reader, equation, [&](WordSum difference) {
@@ -220,6 +269,7 @@ class WordAttempt {
       add_rules_that_can_be_read(own_, reader, sorted_.of_operators, rules, numbers_);
       complete_as_far_as_possible(rules);
     }
+    if (!by_laws && reader.has_traces()) see_laws_of_traces(own_, reader, sorted_.of_operators);
     WordProof proof;
     for (const WordSum& difference :
          normal_differences(own_, reader, own_.question.claim, rules, proof.assumptions)) {

@@ -11,6 +11,7 @@
 
 #include "algebra/engine/undecidable.h"
 #include "algebra/words/matrix_parts.h"
+#include "expr/tree/unsized.h"
 
 namespace rigor {
 namespace {
@@ -60,6 +61,8 @@ void WordReader::see_squares() {
     const ExprNode& node = tree()[id];
     transposes_ = transposes_ || node.op == Op::transpose;
     adjoints_ = adjoints_ || node.op == Op::conjugate;
+    traces_ = traces_ || node.op == Op::trace;
+    determinants_ = determinants_ || node.op == Op::matrix_determinant;
     const bool inverts = (node.op == Op::power && node.exponent < 0) || node.op == Op::divide;
     const bool asks =
         inverts || node.op == Op::power || node.op == Op::trace || node.op == Op::matrix_determinant;
@@ -112,7 +115,8 @@ std::vector<WordSum> WordReader::read(ExprId id, const AxesOfIndices& axes) {
       return all;
     }
     case Op::trace:
-      return {scalar(trace_of(reduced(read_scalar(children[0], axes)), rows_of(id), parts_))};
+      if (traces_forbidden_) throw Undecidable("no matrices of a finite size obey what stands above");
+      return {scalar(trace(read_scalar(children[0], axes), rows_of(id)))};
     case Op::matrix_determinant:
       return {scalar(determinant_of(reduced(read_scalar(children[0], axes)), square_, rows_of(id), parts_))};
     case Op::multiply:
@@ -253,7 +257,9 @@ std::vector<WordSum> WordReader::symbol(ExprId id, const AxesOfIndices& axes) {
   const ExprNode node = tree()[id];
   const Symbol& symbol = tree().symbols[node.symbol];
   const Definition* definition = definition_in(question_, node.symbol);
-  if (definition != nullptr && !symbol.noncommuting)
+  const bool number = definition != nullptr && !symbol.noncommuting && is_number(definition->body);
+  if (number && !unfolds(node.symbol)) return {scalar(power_of_part(parts_.number_of(id), 1))};
+  if (definition != nullptr && !symbol.noncommuting && !number)
     throw Undecidable(
         fmt::format("`{}` is read as a number, but what defines it has operators", symbol.name));
   if (definition != nullptr && unfolds(node.symbol)) return defined(*definition, id, axes);
@@ -276,6 +282,7 @@ std::vector<WordSum> WordReader::defined(const Definition& definition, ExprId id
     throw Undecidable(
         fmt::format("`{}` is an operator that only its square defines", tree().symbols[node.symbol].name));
   unfolded_.insert(definition.symbol);
+  const bool before = std::exchange(of_page_, true);
   const int rank = tree().symbols[definition.symbol].rank;
   Components all;
   if (definition.indices.empty()) {
@@ -285,6 +292,7 @@ std::vector<WordSum> WordReader::defined(const Definition& definition, ExprId id
       all.push_back(read_scalar(definition.body, {{definition.indices[0], axis}}));
   }
   opened_.erase(definition.symbol);
+  of_page_ = before;
   if (rank == 1 && node.slot_count == 1) return {all[axis_of(tree().slots(id)[0], axes) - 1u]};
   return all;
 }
@@ -393,6 +401,15 @@ WordSum WordReader::inverse_of(const WordSum& below) {
   if (below.empty()) throw Undecidable("it divides by zero");
   if (below.size() > 1) return inverse_letter(below);
   const auto& [word, coefficient] = *below.begin();
+  for (const Letter& letter : word) {
+    if (tree().symbols[letter.symbol].unsized == Unsized::column)
+      throw Undecidable("a column has no inverse");
+    const bool defined = definition_in(question_, letter.symbol) != nullptr;
+    if (!of_page_ && defined && tree().symbols[letter.symbol].unsized != Unsized::none)
+      throw Undecidable("what defines a matrix may leave it no inverse");
+    if (!of_page_ && is_annihilated(letter.symbol))
+      throw Undecidable("what stands above may leave a matrix no inverse");
+  }
   if (word.empty()) {
     const Span span = tree()[question_.claim.left].span;
     const Coefficient reciprocal = inverse(coefficient, false);
@@ -420,6 +437,16 @@ WordSum WordReader::inverse_letter(const WordSum& below) {
     if (known == below) return letter(symbol, false);
     if (known == turned) return letter(symbol, true);
   }
+  const bool oblong = std::ranges::any_of(below, [&](const auto& each) {
+    return std::ranges::any_of(
+        each.first, [&](const Letter& one) { return tree().symbols[one.symbol].unsized == Unsized::oblong; });
+  });
+  // Where laws or definitions say something of its letters, it may not exist: (I - P)⁻¹ where P² = P.
+  if (!of_page_ && knows_something())
+    throw Undecidable("what stands above may leave no inverse of a sum or product of its matrices");
+  const bool alone = below.size() == 1 && below.begin()->first.size() == 1;
+  if (oblong && (alone || !inverse_letters_.empty()))
+    throw Undecidable("a matrix that need not be square may have no inverse");
   if (inverse_letters_.size() >= 4)
     throw Undecidable("so many inverses of sums of operators are not decided");
   ExprTree& own = parts_.tree();
@@ -442,6 +469,44 @@ WordSum WordReader::inverse_letter(const WordSum& below) {
     inverse_laws_.push_back(std::move(same));
   }
   return inverse;
+}
+
+/// A rule can fit to a rotation of a word: of `tr BA` where AB = 0.
+Coefficient WordReader::trace(const WordSum& of, std::optional<ExprId> rows) {
+  constexpr int most_rounds = 12;
+  WordSum sum = reduced(of);
+  for (int round = 0; rules_ != nullptr && round < most_rounds; ++round) {
+    const auto turned = rules_->reduce_rotations(sum, used_);
+    if (!turned) break;
+    sum = *turned;
+  }
+  return trace_of(sum, rows, parts_);
+}
+
+/// `a^Tb`, `\det A`: a number that matrices of any size make.
+bool WordReader::is_number(ExprId id) const {
+  return is_unsized(tree(), id) && unsized_shape(tree(), id) == UnsizedShape::number;
+}
+
+/// By a law such as `Ax = 0`.
+bool WordReader::is_annihilated(SymbolId letter) const {
+  if (tree().symbols[letter].unsized == Unsized::none) return false;
+  return std::ranges::any_of(question_.assumptions, [&](const Equation& each) {
+    for (const auto& [zero, other] : {std::pair(each.left, each.right), std::pair(each.right, each.left)}) {
+      if (!tree().is_zero_literal(zero)) continue;
+      const std::vector<SymbolId> own = symbols_in(tree(), other);
+      if (std::ranges::find(own, letter) != own.end()) return true;
+    }
+    return false;
+  });
+}
+
+/// Of operators.
+bool WordReader::knows_something() {
+  const bool laws = std::ranges::any_of(question_.assumptions, [&](const Equation& each) {
+    return reaches_operators(each.left) || reaches_operators(each.right);
+  });
+  return laws || !unfolded_.empty();
 }
 
 WordSum WordReader::reduced(WordSum sum) {

@@ -38,7 +38,14 @@ class WordReader {
   [[nodiscard]] const std::vector<WordSum>& inverses() const { return inverse_laws_; }
   [[nodiscard]] bool has_transposes() const { return transposes_; }
   [[nodiscard]] bool has_adjoints() const { return adjoints_; }
+  [[nodiscard]] bool has_determinants() const { return determinants_; }
+  [[nodiscard]] const std::set<SymbolId>& squares() const { return square_; }
   [[nodiscard]] bool is_square(SymbolId matrix) const { return square_.contains(matrix); }
+  [[nodiscard]] bool has_traces() const { return traces_; }
+  /// A law that no matrices of finite size obey: nothing is said of traces.
+  void forbid_traces() { traces_forbidden_ = true; }
+  /// What is read from here on is a law, and its inverses exist.
+  void read_laws(bool laws) { of_page_ = laws; }
   /// Brings what is in traces, determinants and inverses into a normal form from here on.
   void reduce_by(const WordRules* rules) { rules_ = rules; }
   /// What was used for that.
@@ -65,7 +72,11 @@ class WordReader {
   [[nodiscard]] WordSum quotient(ExprId id, const AxesOfIndices& axes);
   [[nodiscard]] WordSum inverse_of(const WordSum& below);
   [[nodiscard]] WordSum inverse_letter(const WordSum& below);
+  [[nodiscard]] bool is_number(ExprId id) const;
+  [[nodiscard]] bool is_annihilated(SymbolId letter) const;
+  [[nodiscard]] bool knows_something();
   [[nodiscard]] WordSum reduced(WordSum sum);
+  [[nodiscard]] Coefficient trace(const WordSum& of, std::optional<ExprId> rows);
   [[nodiscard]] std::optional<ExprId> squared(ExprId id);
   [[nodiscard]] WordSum dot(ExprId left, ExprId right, const AxesOfIndices& axes);
   [[nodiscard]] std::uint8_t axis_of(const Slot& slot, const AxesOfIndices& axes) const;
@@ -80,6 +91,10 @@ class WordReader {
   std::set<SymbolId> inverted_;   // matrices of which an inverse is written
   bool transposes_ = false;       // the question has some
   bool adjoints_ = false;
+  bool determinants_ = false;
+  bool traces_ = false;
+  bool traces_forbidden_ = false;
+  bool of_page_ = false;  // a law or a definition is being read
   std::vector<std::pair<WordSum, SymbolId>> inverse_letters_;
   std::vector<WordSum> inverse_laws_;
   const WordRules* rules_ = nullptr;

@@ -58,6 +58,22 @@ WordSum WordRules::reduce(WordSum sum, Positions& used) const {
   return normal;
 }
 
+std::optional<WordSum> WordRules::reduce_rotations(const WordSum& sum, Positions& used) const {
+  for (const auto& [word, coefficient] : sum) {
+    Word turned = word;
+    for (std::size_t k = 1; k < word.size(); ++k) {
+      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+      std::size_t at = 0;
+      if (fitting(turned, at) == nullptr) continue;
+      WordSum rest = sum;
+      rest.erase(word);
+      add_to(rest, reduce({{turned, coefficient}}, used));
+      return rest;
+    }
+  }
+  return std::nullopt;
+}
+
 /// What `append` does of its own is a rule where other rules meet it.
 void WordRules::add_cancelling(const Letter& letter) {
   Letter other = letter;

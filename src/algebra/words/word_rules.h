@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -38,6 +39,9 @@ class WordRules {
   [[nodiscard]] bool commute_the_rest();
   /// The normal form; `used` gets what was needed.
   [[nodiscard]] WordSum reduce(WordSum sum, Positions& used) const;
+  /// The sum with a rotation of one of its words brought into normal form, as a trace allows; nothing where
+  /// no rule fits to one.
+  [[nodiscard]] std::optional<WordSum> reduce_rotations(const WordSum& sum, Positions& used) const;
   [[nodiscard]] const std::vector<WordRule>& rules() const { return rules_; }
 
  private:

@@ -285,9 +285,9 @@ bool is_condition_on_operators(const Question& question) {
   const ExprTree& tree = *question.tree;
   const Equation& claim = question.claim;
   const bool both = has_operators(tree, claim.left) && has_operators(tree, claim.right);
-  const bool turns = both && !says_that_it_stays(tree, claim) &&
-                     std::ranges::any_of(nodes_below(tree, {claim.left, claim.right}),
-                                         [&](ExprId id) { return turns_a_whole(tree, id); });
+  if (says_that_it_stays(tree, claim)) return true;
+  const bool turns = both && std::ranges::any_of(nodes_below(tree, {claim.left, claim.right}),
+                                                 [&](ExprId id) { return turns_a_whole(tree, id); });
   std::size_t terms = turns ? 3 : 0;
   for (const ExprId side : {claim.left, claim.right})
     terms += tree.is_zero_literal(side) ? 0 : signed_terms(tree, side).size();

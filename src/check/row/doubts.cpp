@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What else a refuted step may mean: a condition that its words say, an equation for its letters, another
 // constant of integration, terms that an average drops, another unit, one of several alternatives.
+#include "check/meaning/any_matrix.h"
 #include "check/row/row.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,6 @@
 #include "check/scope/local_kinds.h"
 #include "check/word/prose_words.h"
 #include "expr/tree/path.h"
-#include "expr/tree/unsized.h"
 
 namespace rigor {
 namespace {
@@ -272,21 +272,18 @@ std::optional<Doubt> by_a_borrowed_letter(RowPlace& place, const StepReading& ro
                .kind = DiagnosticKind::borrowed};
 }
 
-bool is_about_unsized(const ExprTree& tree, const Claim& claim) {
-  return is_unsized(tree, claim.equation.left) || is_unsized(tree, claim.equation.right);
-}
-
 std::optional<Doubt> of_special_matrices(RowPlace& place, const StepReading&, const Claim& claim) {
-  const std::string& word = place.names.symbols.evidence->unsized.special;
-  if (word.empty() || !is_about_unsized(place.tree, claim)) return std::nullopt;
+  const auto why = why_not_all_matrices(place.tree, place.names, claim);
+  if (!why) return std::nullopt;
   return doubt(
-      fmt::format("it does not hold for all matrices, and `{}` in its section may say which are meant", word),
-      "`rigor: given …` states what is assumed of them, such as `A^T = A`");
+      "it does not hold for all matrices, and " + *why,
+      "`rigor: given …` states what is assumed of them, such as `A^T = A`; \"let $A$ be a matrix\" says "
+      "that any is meant");
 }
 
 /// It is true with another sign, factor or letter: then a slip is likelier than another meaning.
 std::optional<Doubt> for_other_values(RowPlace& place, const StepReading& row, const Claim& claim) {
-  if (is_meant_for_all(place.tree, place.names, claim) || is_about_unsized(place.tree, claim))
+  if (is_meant_for_all(place.tree, place.names, claim) || is_about_matrices(place.tree, claim))
     return std::nullopt;
   const WrongStep wrong{.parsed = row.parsed, .which = row.which, .first_order = row.first_order};
   const std::string_view lead = place.notes.prose.beside[place.event].lead;

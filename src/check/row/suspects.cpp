@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands one slip of the pen away from a row that does not follow.
+#include "check/meaning/any_matrix.h"
 #include "check/row/row.h"
 
 #include <fmt/format.h>
@@ -355,7 +356,7 @@ bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
 }
 
 bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
-  if (!may_hold_a_slip(place, row)) return false;
+  if (!may_hold_a_slip(place, row) || why_not_all_matrices(place.tree, place.names, claim)) return false;
   // "Solve `\ln x^2 = \ln x`": it says which values are meant.
   if (row.which == 0 && may_be_an_equation_of_letters(place.tree, claim.equation) &&
       asks_for_values(beside(place).lead))

@@ -91,6 +91,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes, std::
         see_said_raised(title->title, evidence);
         see_said_complex(title->title, evidence);
         see_said_operators(title->title, evidence);
+        see_said_unsized_matrices(title->title, evidence);
         see_said_averages(title->title, evidence);
       }
       last = place;

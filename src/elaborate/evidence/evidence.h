@@ -29,22 +29,29 @@ struct MatrixLetter {
 /// What shows that letters are matrices of unknown size, or columns. Names have their labels: `A_{1}`,
 /// `\mathbf{x}`.
 struct UnsizedMatrices {
-  std::set<std::string> matrices;    // when all is seen
-  std::set<std::string> columns;     // the same
-  std::set<std::string> shown;       // called matrices, or in a transpose, a trace or a determinant
-  std::set<std::string> transposed;  // x of `x^T`
+  std::set<std::string> matrices;  // when all is seen
+  std::set<std::string> columns;   // the same
+  std::set<std::string> shown;     // called matrices, or in a transpose, a trace or a determinant
+  std::set<std::string> shown_by_transpose;
+  std::map<std::string, std::string> rows;                // n of "let $A$ be an $n\times n$ matrix"
+  std::set<std::string> called;                           // by words: any matrix is meant, but for `special`
+  std::map<std::string, std::set<std::string>> beside;    // B of `AB`, with A
+  std::set<std::string> transposed;                       // x of `x^T`
   std::map<std::string, std::set<std::string>> acted_on;  // x of `Ax`, with A; "" stands for a transpose
-  std::map<std::string, std::set<std::string>> equal;     // b of `Ax = b`, with x
-  std::map<std::string, std::set<std::string>> made_of;   // P of `P = AB`, with A and B
-  std::set<std::string> written;                          // u of `u = (1, 2)`
-  std::set<std::string> indexed;                          // A of `A_{ij}`
-  std::set<std::string> dotted;                           // in a product with a dot or a cross
-  std::set<std::string> sizes;                            // n of "$n\times n$"
+  std::vector<std::set<std::string>> alike;              // x, x_0 and u of `x = x_0 + Bu`: columns, if one is
+  std::set<std::string> numbers;                         // x of `x^2`
+  std::map<std::string, std::set<std::string>> made_of;  // P of `P = AB`, with A and B
+  std::set<std::string> written;                         // u of `u = (1, 2)`
+  std::set<std::string> indexed;                         // A of `A_{ij}`
+  std::set<std::string> dotted;                          // in a product with a dot or a cross
+  std::set<std::string> sizes;                           // n of "$n\times n$"
   std::string special;             // "symmetric": the first word by which not all matrices are meant
   int units = 0;                   // how often I stands where the unit matrix can: `AB = I`, `\lambda I`
   int no_units = 0;                // and how often elsewhere
   bool speaks_of_square = false;   // "square matrices"
   bool rectangular = false;        // "$n\times m$"
+  bool t_is_a_letter = false;      // "the time $T$": then `x^T` may be a power
+  bool speaks_of_blocks = false;   // of matrices of matrices
   bool speaks_of_columns = false;  // "vectors"
 };
 

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elaborate/evidence/said_pieces.h"
 
+#include <algorithm>
+
 namespace rigor {
 
 std::vector<SaidPiece> said_pieces(std::string_view text) {
   std::vector<SaidPiece> pieces;
   for (std::size_t at = 0; at < text.size();) {
+    if (text.substr(at).starts_with("<!--")) {
+      at = std::min(text.find("-->", at), text.size() - 3) + 3;
+      continue;
+    }
     if (text[at] == '$') {
       const std::size_t close = text.find('$', at + 1);
       if (close == std::string_view::npos) break;

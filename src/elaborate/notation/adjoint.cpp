@@ -103,9 +103,9 @@ MaybeTyped elaborate_transpose(Reading& reading, SyntaxId id, const Around& arou
   const Span span = reading.syntax[id].span;
   const auto inside = elaborate(reading, reading.syntax.child(id, 0), around);
   if (!inside) return inside;
-  if (is_unsized(reading.tree, inside->id)) return apply_op(reading.tree, Op::transpose, span, 0, {*inside});
-  const bool vector = inside->rank == 1 && inside->layout == Layout::none && inside->free.empty();
-  if ((inside->layout == Layout::none && !vector) || is_triple(*inside))
+  if (inside->rank == 0 && is_unsized(reading.tree, inside->id))
+    return apply_op(reading.tree, Op::transpose, span, 0, {*inside});
+  if (inside->layout == Layout::none || is_triple(*inside))
     return unsupported(reading, span, "a transpose is read of a matrix or column with known entries only");
   return transposed(reading.tree, *inside, span);
 }

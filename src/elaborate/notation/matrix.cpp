@@ -52,6 +52,11 @@ std::optional<std::vector<Typed>> entries_of(Reading& reading, std::span<const S
       return unsupported(reading, span, "a free index inside a matrix or tuple is not decided");
     if (is_unsized(reading.tree, entry->id) && unsized_shape(reading.tree, entry->id) != UnsizedShape::number)
       return unsupported(reading, span, "a matrix of matrices is not read; write its entries out");
+    const bool block = reading.names.symbols.evidence->unsized.speaks_of_blocks &&
+                       reading.syntax[child.id].kind == SyntaxKind::symbol &&
+                       is_capital_letter(reading.syntax.symbol(child.id).letter);
+    if (block)
+      return ambiguous(reading, span, "this entry can be a matrix, of which a block is made, or a number");
     entry->with_unit.reset();
     entries.push_back(*std::move(entry));
   }
@@ -284,11 +289,20 @@ MaybeTyped trace_of(Reading& reading, const Typed& inside, Span span) {
 
 namespace {
 
-/// n of "$n\\times n$ matrices", if the section says one size only.
-std::optional<Typed> rows_of_unsized(Reading& reading, Span span) {
+/// n of "$n\times n$ matrices": what is said of these letters, or of all.
+std::string said_rows(const Reading& reading, ExprId matrix) {
   const UnsizedMatrices& said = reading.names.symbols.evidence->unsized;
-  if (said.rectangular || said.sizes.size() != 1) return std::nullopt;
-  const std::string& rows = *said.sizes.begin();
+  std::set<std::string> rows;
+  for (const SymbolId symbol : symbols_in(reading.tree, matrix)) {
+    const auto own = said.rows.find(reading.tree.symbols[symbol].name);
+    if (own != said.rows.end()) rows.insert(own->second);
+  }
+  if (rows.empty()) rows = said.sizes;
+  return said.rectangular || rows.size() != 1 ? std::string() : *rows.begin();
+}
+
+std::optional<Typed> rows_of_unsized(Reading& reading, ExprId matrix, Span span) {
+  const std::string rows = said_rows(reading, matrix);
   if (rows.size() != 1 || (!is_digit(rows[0]) && !is_letter(rows[0]))) return std::nullopt;
   if (is_digit(rows[0])) return Typed{.id = reading.tree.add_number(span, rows)};
   const SymbolId symbol = symbol_named(reading, {.base = rows}, rows, span);
@@ -302,9 +316,12 @@ MaybeTyped trace_or_determinant(Reading& reading, SyntaxId id, bool trace, const
   const auto whole = whole_tensor(reading, id, around);
   const auto inside = whole ? whole : elaborate(reading, id, around);
   if (!inside) return inside;
-  if (is_unsized(reading.tree, inside->id)) {
+  if (inside->rank == 0 && is_unsized(reading.tree, inside->id)) {
+    const UnsizedShape shape = unsized_shape(reading.tree, inside->id);
+    if (shape != UnsizedShape::matrix && shape != UnsizedShape::number)
+      return unsupported(reading, span, "traces and determinants are read of square matrices only");
     std::vector<Typed> operands{*inside};
-    if (const auto rows = rows_of_unsized(reading, span)) operands.push_back(*rows);
+    if (const auto rows = rows_of_unsized(reading, inside->id, span)) operands.push_back(*rows);
     return apply_op(reading.tree, trace ? Op::trace : Op::matrix_determinant, span, 0, operands);
   }
   if (!trace) return determinant_of(reading, id, *inside, span, around);

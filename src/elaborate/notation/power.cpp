@@ -251,6 +251,9 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
       return matrix_exponential(reading, *argument, span);
     return argument ? elementary_function(reading, "exp", *argument, span) : std::nullopt;
   }
+  if (syntax[raised].kind == SyntaxKind::function && syntax.text(raised) == "tr")
+    return ambiguous(reading, span, "this can be the power of a trace, or the trace of a power",
+                     {"put brackets around what has the power"});
   if (reads_as_order(reading, id)) {
     const WrittenSymbol& symbol = syntax.symbol(raised);
     return ambiguous(reading, span,

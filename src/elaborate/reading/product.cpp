@@ -207,8 +207,21 @@ bool mixes_operators(const Reading& reading, const std::vector<Operand>& operand
   return has(true) && has(false);
 }
 
+/// `\mathbf A\mathbf x`, where nothing shows that x is a column of any size.
+bool mixes_unsized(const Reading& reading, const std::vector<Operand>& operands) {
+  const bool vectors = std::ranges::any_of(operands, [](const Operand& each) { return each.typed.rank > 0; });
+  return vectors && std::ranges::any_of(operands, [&](const Operand& each) {
+           return each.typed.rank == 0 && is_unsized(reading.tree, each.typed.id) &&
+                  unsized_shape(reading.tree, each.typed.id) != UnsizedShape::number;
+         });
+}
+
 MaybeTyped without_slash(Reading& reading, const std::vector<Operand>& operands, Span span) {
   if (operands.size() == 1) return operands[0].typed;
+  if (mixes_unsized(reading, operands))
+    return unsupported(
+        reading, span, "a product of a matrix of any size with a vector of three components is not read",
+        {"\"the column $\\mathbf x$\" or `\\mathbf x^T` shows that it has any number of components"});
   std::vector<Typed> factors;
   for (const Operand& operand : operands) factors.push_back(operand.typed);
   auto letters = contraction_of(reading, factors);
