@@ -8,16 +8,16 @@
 
 namespace rigor {
 
-bool is_about_matrices(const ExprTree& tree, const Claim& claim) {
-  return is_unsized(tree, claim.equation.left) || is_unsized(tree, claim.equation.right);
+bool is_about_matrices(const ExprTree& tree, const Equation& claim) {
+  return is_unsized(tree, claim.left) || is_unsized(tree, claim.right);
 }
 
 std::optional<std::string> why_not_all_matrices(const ExprTree& tree, const Names& names,
-                                                const Claim& claim) {
+                                                const Equation& claim) {
   if (!is_about_matrices(tree, claim)) return std::nullopt;
   const UnsizedMatrices& said = names.symbols.evidence->unsized;
   if (!said.special.empty()) return fmt::format("`{}` in its section may say which are meant", said.special);
-  for (const ExprId side : {claim.equation.left, claim.equation.right}) {
+  for (const ExprId side : {claim.left, claim.right}) {
     for (const SymbolId symbol : symbols_in(tree, side)) {
       const Symbol& letter = tree.symbols[symbol];
       const bool matrix = letter.unsized != Unsized::none && letter.unsized != Unsized::column;

@@ -5,15 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "check/verdict/judge.h"
 #include "elaborate/name/names.h"
+#include "expr/statement/statement.h"
 
 namespace rigor {
 
-[[nodiscard]] bool is_about_matrices(const ExprTree& tree, const Claim& claim);
+[[nodiscard]] bool is_about_matrices(const ExprTree& tree, const Equation& claim);
 
 /// "`symmetric` in its section may say which are meant"; nothing where all are meant.
 [[nodiscard]] std::optional<std::string> why_not_all_matrices(const ExprTree& tree, const Names& names,
-                                                              const Claim& claim);
+                                                              const Equation& claim);
 
 }  // namespace rigor

@@ -273,7 +273,7 @@ std::optional<Doubt> by_a_borrowed_letter(RowPlace& place, const StepReading& ro
 }
 
 std::optional<Doubt> of_special_matrices(RowPlace& place, const StepReading&, const Claim& claim) {
-  const auto why = why_not_all_matrices(place.tree, place.names, claim);
+  const auto why = why_not_all_matrices(place.tree, place.names, claim.equation);
   if (!why) return std::nullopt;
   return doubt(
       "it does not hold for all matrices, and " + *why,
@@ -283,7 +283,7 @@ std::optional<Doubt> of_special_matrices(RowPlace& place, const StepReading&, co
 
 /// It is true with another sign, factor or letter: then a slip is likelier than another meaning.
 std::optional<Doubt> for_other_values(RowPlace& place, const StepReading& row, const Claim& claim) {
-  if (is_meant_for_all(place.tree, place.names, claim) || is_about_matrices(place.tree, claim))
+  if (is_meant_for_all(place.tree, place.names, claim) || is_about_matrices(place.tree, claim.equation))
     return std::nullopt;
   const WrongStep wrong{.parsed = row.parsed, .which = row.which, .first_order = row.first_order};
   const std::string_view lead = place.notes.prose.beside[place.event].lead;

@@ -356,7 +356,8 @@ bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
 }
 
 bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
-  if (!may_hold_a_slip(place, row) || why_not_all_matrices(place.tree, place.names, claim)) return false;
+  if (!may_hold_a_slip(place, row) || why_not_all_matrices(place.tree, place.names, claim.equation))
+    return false;
   // "Solve `\ln x^2 = \ln x`": it says which values are meant.
   if (row.which == 0 && may_be_an_equation_of_letters(place.tree, claim.equation) &&
       asks_for_values(beside(place).lead))
