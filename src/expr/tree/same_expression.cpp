@@ -23,6 +23,7 @@ class Comparison {
     if (left.op != right.op || left.rank != right.rank) return false;
     if (left.op == Op::index_sum) return same_index_sums(left.id, right.id);
     if (left.op == Op::particle_sum) return same_particle_sums(left.id, right.id);
+    if (left.op == Op::multiply) return same_products(left.id, right.id);
     return same_heads(left, right) && same_slots(left.slots, right.slots) && same_children(left, right);
   }
 
@@ -33,7 +34,7 @@ class Comparison {
     Op op = Op::number;
     int rank = 0;
     std::span<const Slot> slots;
-    std::vector<ExprId> children;
+    std::span<const ExprId> children;
   };
 
   /// By their operations, before anything is put together.
@@ -57,32 +58,27 @@ class Comparison {
     return id;
   }
 
-  static void add_factors(const ExprTree& tree, ExprId id, std::vector<ExprId>& factors) {
+  static void add_factors(const ExprTree& tree, ExprId id, bool scalars, std::vector<ExprId>& factors) {
     id = bare(tree, id);
     if (tree[id].op != Op::multiply) {
-      factors.push_back(id);
+      if ((tree[id].rank == 0) == scalars) factors.push_back(id);
       return;
     }
-    for (const ExprId each : tree.children(id)) add_factors(tree, each, factors);
+    for (const ExprId each : tree.children(id)) add_factors(tree, each, scalars, factors);
+  }
+
+  /// Scalars before vectors.
+  static void add_factors(const ExprTree& tree, ExprId id, std::vector<ExprId>& factors) {
+    for (const bool scalars : {true, false}) add_factors(tree, id, scalars, factors);
   }
 
   static View view(const ExprTree& tree, ExprId id) {
     id = bare(tree, id);
-    View view{id, tree[id].op, tree[id].rank, tree.slots(id), {}};
+    const ExprNode& node = tree[id];
     const auto children = tree.children(id);
-    if (view.op == Op::component && tree[children[0]].op == Op::symbol && tree[children[0]].slot_count == 0) {
-      view.id = children[0];
-      view.op = Op::symbol;
-      return view;
-    }
-    if (view.op != Op::multiply) {
-      view.children.assign(children.begin(), children.end());
-      return view;
-    }
-    add_factors(tree, id, view.children);
-    std::stable_partition(view.children.begin(), view.children.end(),
-                          [&](ExprId each) { return tree[each].rank == 0; });
-    return view;
+    if (node.op == Op::component && tree[children[0]].op == Op::symbol && tree[children[0]].slot_count == 0)
+      return {children[0], Op::symbol, node.rank, tree.slots(id), {}};
+    return {id, node.op, node.rank, tree.slots(id), children};
   }
 
   bool same_heads(const View& left, const View& right) const {
@@ -131,6 +127,18 @@ class Comparison {
     return std::ranges::equal(left.children, right.children, [&](ExprId p, ExprId q) { return same(p, q); });
   }
 
+  bool same_products(ExprId x, ExprId y) {
+    const std::size_t begin = factors_.size();
+    add_factors(a_, x, factors_);
+    const std::size_t middle = factors_.size();
+    add_factors(b_, y, factors_);
+    bool result = factors_.size() - middle == middle - begin;
+    for (std::size_t k = begin; result && k < middle; ++k)
+      result = same(factors_[k], factors_[middle + (k - begin)]);
+    factors_.resize(begin);
+    return result;
+  }
+
   /// The sums around one body, in the order in which their indices occur in it.
   static std::vector<IndexId> indices_of(const ExprTree& tree, ExprId& body) {
     std::vector<IndexId> bound;
@@ -145,7 +153,13 @@ class Comparison {
         const bool is_bound = slot.axis == 0 && is_one_of(slot.variable, bound);
         if (is_bound && !is_one_of(slot.variable, ordered)) ordered.push_back(slot.variable);
       }
-      open.insert(open.end(), node.children.rbegin(), node.children.rend());
+      const auto added = static_cast<std::ptrdiff_t>(open.size());
+      if (node.op == Op::multiply) {
+        add_factors(tree, node.id, open);
+      } else {
+        open.insert(open.end(), node.children.begin(), node.children.end());
+      }
+      std::reverse(open.begin() + added, open.end());
     }
     for (const IndexId index : bound) {
       if (!is_one_of(index, ordered)) ordered.push_back(index);
@@ -176,11 +190,14 @@ class Comparison {
   const ExprTree& b_;
   std::unordered_map<std::uint32_t, IndexId> indices_;       // bound in a, by what in b
   std::unordered_map<std::uint32_t, ParticleId> particles_;  // the same
+  std::vector<ExprId> factors_;                              // of the products that are being compared
 };
 
 }  // namespace
 
 bool same_expression(const ExprTree& a, ExprId a_root, const ExprTree& b, ExprId b_root) {
+  if (&a == &b && a_root == b_root) return true;
+  if (&a == &b && a[a_root].likeness != b[b_root].likeness) return false;
   return Comparison(a, b).same(a_root, b_root);
 }
 

@@ -262,7 +262,8 @@ ExprId ExprTree::append(ExprNode node, std::span<const ExprId> children, std::sp
   const Shape shape = shape_of(node.op);
   RIGOR_CHECK(shape.children == any_count || shape.children == children.size(), op, children.size());
   RIGOR_CHECK(shape.slots == any_count || shape.slots == slots.size(), op, slots.size());
-  std::vector<int> ranks;
+  static thread_local std::vector<int> ranks;
+  ranks.clear();
   std::uint64_t weight = 1;
   for (const ExprId child : children) {
     RIGOR_CHECK(static_cast<std::size_t>(child) < nodes_.size(), op, static_cast<std::uint32_t>(child));
@@ -288,6 +289,7 @@ ExprId ExprTree::append(ExprNode node, std::span<const ExprId> children, std::sp
   if (node.op == Op::particle_sum) RIGOR_CHECK(node.particle != no_particle, op);
   node.first_child = children_.keep(children).data();
   node.first_slot = slots_.keep(slots).data();
+  node.likeness = likeness_of(node);
   nodes_.push_back(node);
   return static_cast<ExprId>(nodes_.size() - 1);
 }

@@ -98,6 +98,7 @@ struct ExprNode {
   std::uint32_t payload = 0;          // number: text; table: table
   Function function = Function::sin;  // function
   bool spelled_out = false;           // divide: the notes say `\tan x`, `\sinh x`, `\cosh x` or `\tanh x`
+  std::uint64_t likeness = 0;         // equal for what `same_expression` calls the same within one tree
   AxisSpaces axes =
       {};  // of the value; `ExprTree::add` finds them, but for a basis vector and a tuple's first one
 };
@@ -146,6 +147,7 @@ class ExprTree {
   [[nodiscard]] AxisSpaces axes_of(const ExprNode& node, std::span<const ExprId> children,
                                    std::span<const Slot> slots) const;
   void check_slot(const Slot& slot, Space of) const;
+  [[nodiscard]] std::uint64_t likeness_of(const ExprNode& node) const;
 
   SharedArray<ExprNode> nodes_;
   SharedSpans<ExprId> children_;
