@@ -14,6 +14,7 @@ namespace rigor {
 namespace {
 
 constexpr std::uint32_t oldest = 8;
+constexpr std::size_t most_made = 10'000;  // of a few kilobytes each
 constexpr std::size_t largest_file = 48 * 1024 * 1024;
 
 bool has_symbols_of(const ClosedQuestion& question, const Sample& sample) {
@@ -89,9 +90,9 @@ Decision DecisionCache::decide(const Question& question, const Limits& limits) {
   Limits counted = limits;
   counted.budget = &budget_;
   const ClosedQuestion asked = closed(question);
-  if (!remembers()) return in_notes(rigor::decide(asked.question, counted), asked);
   const std::string key =
       archived({.kind = AskedQuestion::Kind::decide, .limits = limits, .question = archived(asked)});
+  if (!has_file()) return in_notes(decide_once(asked, counted, key), asked);
   if (const Entry* entry = find(key)) {
     auto decision = decision_of_bytes(entry->answer);
     if (decision && answers(asked, *decision) && still_refutes(asked.question, *decision) &&
@@ -106,6 +107,17 @@ Decision DecisionCache::decide(const Question& question, const Limits& limits) {
   return in_notes(std::move(decision), asked);
 }
 
+Decision DecisionCache::decide_once(const ClosedQuestion& asked, const Limits& limits,
+                                    const std::string& key) {
+  const auto known = made_.find(key);
+  if (known != made_.end() && takes(known->second.work)) return known->second.decision;
+  const std::uint64_t before = budget_.used();
+  Decision decision = rigor::decide(asked.question, limits);
+  if (!budget_.exhausted() && made_.size() < most_made)
+    made_.try_emplace(key, Made{decision, budget_.used() - before});
+  return decision;
+}
+
 std::optional<Sample> DecisionCache::satisfying_sample(const Question& question, const Sample& known,
                                                        const Limits& limits) {
   Limits counted = limits;
@@ -117,7 +129,7 @@ std::optional<Sample> DecisionCache::satisfying_sample(const Question& question,
     return sample ? std::optional(in_notes(*std::move(sample), asked)) : std::nullopt;
   };
   const Sample known_there = in_question(known, asked);
-  if (!remembers()) return answer(rigor::satisfying_sample(asked.question, known_there, counted));
+  if (!has_file()) return answer(rigor::satisfying_sample(asked.question, known_there, counted));
   const std::string key = archived({.kind = AskedQuestion::Kind::satisfy,
                                     .limits = limits,
                                     .question = archived(asked),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Asks the exact side. Each question is closed first (`closed_question.h`), so that its answer does not
-// depend on what was asked before it. Decisions of earlier runs on the same notes are remembered: what was
+// depend on what was asked before it. Decisions of this run are remembered, since neighbours of one row and
+// sets of laws lead to the same questions, and those of earlier runs on the same notes, too: what was
 // asked is compared as a whole (the closed question, the limits, the program), so that an answer is only ever
 // used again for the very same question.
 #pragma once
@@ -10,10 +11,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 
 #include "algebra/decide/decide.h"
 #include "check/question/decision_file.h"
 #include "check/step/report.h"
+#include "expr/statement/closed_question.h"
 
 namespace rigor {
 
@@ -22,7 +25,7 @@ namespace rigor {
 /// throws.
 class DecisionCache {
  public:
-  /// Remembers nothing, and only counts.
+  /// Of this run only.
   DecisionCache() = default;
   /// `program` identifies this build, with the libraries that decide.
   DecisionCache(const std::string& folder, const std::string& notes, std::string program);
@@ -46,15 +49,23 @@ class DecisionCache {
     std::uint32_t age = 0;
     bool asked = false;
   };
+  /// A decision of this run, and the work that it took.
+  struct Made {
+    Decision decision;
+    std::uint64_t work = 0;
+  };
+  [[nodiscard]] Decision decide_once(const ClosedQuestion& asked, const Limits& limits,
+                                     const std::string& key);
   Entry* find(const std::string& asked);
   void remember(const std::string& asked, std::string answer, std::uint64_t work);
-  [[nodiscard]] bool remembers() const { return !path_.empty(); }
+  [[nodiscard]] bool has_file() const { return !path_.empty(); }
   /// Counts what an answer took before; false if there is not so much left.
   [[nodiscard]] bool takes(std::uint64_t work);
 
   std::string path_;
   std::string program_;
-  std::map<std::string, Entry> entries_;  // by what was asked
+  std::map<std::string, Entry> entries_;        // by what was asked
+  std::unordered_map<std::string, Made> made_;  // the same, where there is no file
   CacheUse use_;
   Budget budget_;
   bool changed_ = false;
