@@ -81,6 +81,7 @@ class SampleDomain {
   void step();
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
   void allow_more(std::uint64_t steps) { largest_steps_ = std::max(largest_steps_, steps_ + steps); }
+  void go_on_from(std::uint64_t steps) { steps_ = steps; }
 
  private:
   [[nodiscard]] PointValue rejected() {
@@ -144,6 +145,8 @@ class SampleEvaluator {
   [[nodiscard]] std::uint64_t steps() const { return domain_.steps(); }
   /// From now on at least so many.
   void allow_more(std::uint64_t steps) { domain_.allow_more(steps); }
+  /// As if there had been so many.
+  void go_on_from(std::uint64_t steps) { domain_.go_on_from(steps); }
   [[nodiscard]] std::vector<Place> places(const Equation& equation) const;
 
  private:

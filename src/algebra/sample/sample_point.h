@@ -73,6 +73,12 @@ class SamplePoint {
     return position(symbol, particle);
   }
 
+  /// After its tree has got more symbols, none of which it has.
+  void make_room() {
+    offset_.resize(tree_->symbols.size(), absent);
+    meaning_.resize(tree_->symbols.size());
+  }
+
   /// The same values for one particle less.
   [[nodiscard]] SamplePoint without_particle(std::uint32_t particle) const;
   /// The same particles, two of them exchanged.

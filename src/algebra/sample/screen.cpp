@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "algebra/parts/real_parts.h"
 #include "algebra/sample/refute.h"
@@ -51,6 +52,7 @@ class SampleScreen::Samples {
     if (reach_.too_large) return;
     evaluator_.take_circle_number_as_rational();  // what passes is proved afterwards
     enclosing_.enclose();
+    const std::uint64_t before = work();
     SampleSequence sequence(scope_.tree(), reach_, solver_.has_particle_sums());
     try {
       while (points_.size() < wanted_points && sequence.drawn() < most_attempts) draw(sequence);
@@ -62,7 +64,31 @@ class SampleScreen::Samples {
         if (points_.size() < wanted_points) points_.push_back(std::move(point));
       }
     }
+    work_of_drawing_ = work() - before;
+    steps_of_drawing_ = {evaluator_.steps(), enclosing_.steps()};
   }
+
+  /// What others drew, for the tree as it has grown since.
+  explicit Samples(const Samples& drawn)
+      : question_(drawn.question_),
+        limits_(drawn.limits_),
+        scope_(question_, Scope::Definitions::unfolded),
+        solver_(scope_, {}),
+        reach_(drawn.reach_),
+        evaluator_(scope_, limits_),
+        enclosing_(scope_, with_steps(limits_, most_steps_enclosed)),
+        tree_size_(question_.tree->size()),
+        points_(drawn.points_),
+        work_of_drawing_(drawn.work_of_drawing_),
+        steps_of_drawing_(drawn.steps_of_drawing_) {
+    evaluator_.take_circle_number_as_rational();
+    enclosing_.enclose();
+    evaluator_.go_on_from(steps_of_drawing_.first);
+    enclosing_.go_on_from(steps_of_drawing_.second);
+    for (SamplePoint& point : points_) point.make_room();
+    if (limits_.budget != nullptr && !limits_.budget->takes(work_of_drawing_)) points_.clear();
+  }
+  Samples& operator=(const Samples&) = delete;
 
   [[nodiscard]] bool can_compare(const Equation& claim) const {
     if (points_.empty()) return false;
@@ -134,6 +160,8 @@ class SampleScreen::Samples {
     bool none = false;
     std::optional<Rational> ratio;
   };
+
+  [[nodiscard]] std::uint64_t work() const { return limits_.budget == nullptr ? 0 : limits_.budget->used(); }
 
   void draw(SampleSequence& sequence) {
     const std::uint32_t attempt = sequence.drawn();
@@ -279,6 +307,8 @@ class SampleScreen::Samples {
   std::vector<SamplePoint> points_;
   std::vector<SamplePoint> enclosed_;  // on which the claim itself has real values, not rational ones
   std::vector<SamplePoint> others_;    // on which it has none, or holds
+  std::uint64_t work_of_drawing_ = 0;
+  std::pair<std::uint64_t, std::uint64_t> steps_of_drawing_;  // of the evaluators
 };
 
 /// A screen of complex claims is one of their parts, made anew for each list of claims.
@@ -359,7 +389,16 @@ SampleScreen::SampleScreen(const Question& question, std::span<const ExprId> als
     samples_ = std::make_unique<Samples>(question, also, limits);
 }
 
+SampleScreen::SampleScreen(const Question& question, const Limits& limits)
+    : question_(question), limits_(limits) {}
+
 SampleScreen::~SampleScreen() = default;
+
+std::unique_ptr<SampleScreen> SampleScreen::after_growth() const {
+  std::unique_ptr<SampleScreen> grown(new SampleScreen(question_, limits_));
+  if (samples_) grown->samples_ = std::make_unique<Samples>(*samples_);
+  return grown;
+}
 
 std::vector<Screened> SampleScreen::screened(std::span<const Equation> claims) {
   if (samples_) return samples_->screened(claims);

@@ -26,6 +26,10 @@ class SampleScreen {
   SampleScreen(const SampleScreen&) = delete;
   SampleScreen& operator=(const SampleScreen&) = delete;
 
+  /// With the same samples, for the tree as it has grown since. Counts the work of drawing them once more, as
+  /// if they were.
+  [[nodiscard]] std::unique_ptr<SampleScreen> after_growth() const;
+
   /// For each claim: does it hold wherever it was compared? A claim is compared only if the samples have all
   /// its symbols, and it has values there. What is not rational is enclosed; what cannot be told apart holds.
   [[nodiscard]] std::vector<Screened> screened(std::span<const Equation> claims);
@@ -39,6 +43,7 @@ class SampleScreen {
  private:
   class Samples;
   class InParts;
+  SampleScreen(const Question& question, const Limits& limits);
   Question question_;
   Limits limits_;
   std::unique_ptr<Samples> samples_;  // none: the question is about complex numbers

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -318,10 +319,7 @@ class RepairSearch {
     std::vector<Equation> all = equations;
     all.insert(all.end(), zeros.begin(), zeros.end());
     const std::vector<ExprId> sides = beyond ? known_sides(all) : std::vector<ExprId>{};
-    Prepared prepared = prepare(tree_, names_, claim_.equation, 0, Precision::exact, 0, sides);
-    if (speaks_of_derivatives(prepared))
-      prepared = prepare(tree_, names_, claim_.equation, 1, Precision::exact, 0, sides);
-    SampleScreen screen(prepared.question, sides, screening(cache_));
+    SampleScreen& screen = screen_with(sides);
     std::vector<RepairCandidate> holding;
     const std::vector<Screened> screened = screen.screened(equations);
     for (std::size_t k = 0; k < rewritten.size(); ++k) {
@@ -334,10 +332,20 @@ class RepairSearch {
     if (!terms.empty() && holding.empty()) {
       const std::vector<ComparedTerm> longer = candidates_.longer_terms();
       const std::vector<Equation> longer_zeros = zeros_of(longer);
-      SampleScreen larger(prepared.question, sides, screening(cache_));  // of the tree that has grown
-      compare(larger, longer, longer_zeros, holding);
+      compare(*screen.after_growth(), longer, longer_zeros, holding);
     }
     return holding;
+  }
+
+  /// Samples for the claim and these sides; for the claim alone always the same.
+  SampleScreen& screen_with(const std::vector<ExprId>& sides) {
+    std::unique_ptr<SampleScreen>& screen = sides.empty() ? screen_of_claim_ : screen_beyond_;
+    if (sides.empty() && screen != nullptr) return *(screen = screen->after_growth());
+    Prepared prepared = prepare(tree_, names_, claim_.equation, 0, Precision::exact, 0, sides);
+    if (speaks_of_derivatives(prepared))
+      prepared = prepare(tree_, names_, claim_.equation, 1, Precision::exact, 0, sides);
+    screen = std::make_unique<SampleScreen>(prepared.question, sides, screening(cache_));
+    return *screen;
   }
 
   /// Nearly equal: the parts of zeroth and of first order are equal.
@@ -472,6 +480,8 @@ class RepairSearch {
   std::unique_ptr<ChainReading> reading_;
   Diagnostics ignored_;
   std::vector<RepairCandidate> not_compared_;  // on the samples
+  std::unique_ptr<SampleScreen> screen_of_claim_;
+  std::unique_ptr<SampleScreen> screen_beyond_;  // with sides that speak of what is defined elsewhere
   bool claim_was_compared_ = true;
   Claim claim_;                         // the original one; where it has no meaning, the nearest that has one
   std::optional<Claim> richest_claim_;  // of a candidate
