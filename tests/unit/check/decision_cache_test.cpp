@@ -7,6 +7,7 @@
 
 #include "catch.h"
 #include "check/entry/check.h"
+#include "expr/build.h"
 #include "source/read_file.h"
 #include "source/write_file.h"
 
@@ -124,6 +125,27 @@ TEST_CASE("a cache that cannot be written says so and changes no verdict") {
   REQUIRE(write_file(folder.path().string(), "a file, no folder"));
   CHECK(folder.run(notes).trouble.find("cannot be written: ") != std::string::npos);
   CHECK(verdicts(folder.report) == expected);
+}
+
+TEST_CASE("a question that is asked again in a run gets the same answer and counts the same work") {
+  build::Page page;
+  const build::Named x = page.scalar("x");
+  const build::Named y = page.scalar("y");
+  page.given(x, 2 * y);
+  DecisionCache cache;
+  const auto asked = [&](const build::Term& right) {
+    const std::uint64_t before = cache.budget().used();
+    const Decision decision = cache.decide(page.claim(build::pow(x, 2), right), {});
+    return std::pair(decision.outcome, cache.budget().used() - before);
+  };
+  const build::Term right = 4 * build::pow(y, 2);
+  const auto first = asked(right);
+  CHECK(first.first == Outcome::proved);
+  CHECK(first.second > 0);
+  CHECK(asked(right) == first);
+  CHECK(asked(3 * build::pow(y, 2)).first == Outcome::refuted);
+  cache.begin(0);
+  CHECK(asked(right).first != Outcome::proved);  // no work is left for what it took
 }
 
 TEST_CASE("what is no longer asked for is forgotten in the end") {
