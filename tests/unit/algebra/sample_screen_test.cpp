@@ -2,7 +2,6 @@
 #include "algebra/sample/screen.h"
 
 #include "algebra/engine/budget.h"
-#include "algebra/words/operator_question.h"
 #include "catch.h"
 #include "expr/build.h"
 
@@ -33,29 +32,4 @@ TEST_CASE("a screen of a tree that has grown has the same samples, and counts th
   SampleScreen anew(question, {}, {.budget = &budget});
   CHECK(grown->screened(claims) == std::vector{Screened::holds, Screened::fails});
   CHECK(anew.screened(claims) == std::vector{Screened::holds, Screened::fails});
-}
-
-TEST_CASE("claims in words beside the same laws get the answers that each gets alone", "[algebra]") {
-  Page page;
-  const Named a = page.add({.name = "a", .noncommuting = true});
-  const Named b = page.add({.name = "b", .noncommuting = true});
-  page.given(a * b, b * a + page.number("1"));
-  const Question& question = page.claim(a * (a * b) - (a * b) * a, 2 * a);
-  const std::vector<Equation> claims{equal(a * b - b * a, page.number("1")), equal(a * b, b * a),
-                                     equal((a * b) * b, (b * b) * a + 2 * b)};
-  const Equation term = equal(a, page.zero());
-
-  Budget together;
-  ClaimsInWords all(question, together);
-  std::uint64_t alone = 0;
-  std::vector<bool> holding;
-  for (const Equation& claim : claims) {
-    Budget budget;
-    holding.push_back(all.holds(claim));
-    CHECK(ClaimsInWords(question, budget).holds(claim) == holding.back());
-    alone += budget.used();
-  }
-  CHECK(holding == std::vector{true, false, true});
-  CHECK(together.used() == alone);
-  CHECK(all.multiple(term) == "-1");
 }
