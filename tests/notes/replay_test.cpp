@@ -52,6 +52,7 @@ bool is_plain(const Json& step) {
   if (example["particles"] != 0 || !example["component"].empty() || example["squared_distance"]) return false;
   for (const Json& value : example["values"]) {
     const auto symbol = value["symbol"].get<std::string>();
+    if (value["rank"] == 1 && value["components"].size() != 3) return false;  // a column of any size
     if (value["rank"] > 1 || symbol.starts_with("\\dot") || symbol.starts_with("\\delta ")) return false;
     if (symbol.starts_with("\\mathrm")) return false;  // a unit of measure is no letter
     if (symbol.starts_with("\\langle")) return false;  // nor is an average

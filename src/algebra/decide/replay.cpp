@@ -199,7 +199,8 @@ std::vector<SampleValue> following_values(const Question& question, const Sample
 
 std::vector<SymbolId> symbols_of_sample(const Question& question) {
   if (is_about_operators(question)) {
-    const auto at = at_size(question, 2);
+    const int stated = stated_rows(question);
+    const auto at = at_size(question, stated == 0 ? 2 : stated);
     if (!at) return {};
     std::vector<SymbolId> symbols = symbols_of_sample(at->question);
     for (SymbolId& symbol : symbols) {

@@ -8,6 +8,7 @@
 
 #include "algebra/decide/decide.h"
 #include "base/among.h"
+#include "expr/tree/unsized.h"
 
 namespace rigor {
 namespace {
@@ -16,13 +17,22 @@ tl::unexpected<Error> does_not_fit(std::string reason) {
   return tl::make_unexpected(Error{std::move(reason)});
 }
 
+/// How many axes the value of a side has, in a sample that gives matrices of any size one.
+int axes_in_sample(const ExprTree& tree, ExprId side) {
+  if (tree[side].rank > 0) return tree[side].rank;
+  const UnsizedShape shape = unsized_shape(tree, side);
+  return shape == UnsizedShape::matrix ? 2 : shape == UnsizedShape::number ? 0 : 1;
+}
+
 /// The claim's axes and particles; the description names their indices.
 Result<Sample> placed(const Question& question, const Counterexample& example) {
   constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at most
   if (example.particles > most_particles) return does_not_fit("the sample has too many particles");
   const ExprTree& tree = *question.tree;
   const Equation& claim = question.claim;
-  const std::size_t axes = claim.indices.size() + static_cast<std::size_t>(tree[claim.left].rank);
+  constexpr int most_rows = 3;  // of a matrix of any size
+  const int of_sides = std::max(axes_in_sample(tree, claim.left), axes_in_sample(tree, claim.right));
+  const std::size_t axes = claim.indices.size() + static_cast<std::size_t>(of_sides);
   Sample sample;
   sample.particles = example.particles;
   if (example.component.size() != axes + claim.particles.size())
@@ -34,9 +44,10 @@ Result<Sample> placed(const Question& question, const Counterexample& example) {
     const std::string expected = is_particle                ? tree.name(claim.particles[k - axes])
                                  : k < claim.indices.size() ? tree.name(claim.indices[k])
                                                             : "";
-    const int most = is_particle                ? static_cast<int>(example.particles)
-                     : k < claim.indices.size() ? tree.space(claim.indices[k]).dimension
-                                                : tree[claim.left].axes[axis_of_side].dimension;
+    const int most = is_particle                  ? static_cast<int>(example.particles)
+                     : k < claim.indices.size()   ? tree.space(claim.indices[k]).dimension
+                     : tree[claim.left].rank == 0 ? most_rows
+                                                  : tree[claim.left].axes[axis_of_side].dimension;
     if (index != expected || value < 1 || value > most)
       return does_not_fit("the sample's component does not fit the step");
     if (is_particle) {
