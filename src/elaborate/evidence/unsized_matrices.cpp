@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/evidence/said_pieces.h"
@@ -220,8 +221,21 @@ constexpr std::array<std::string_view, 2> matrix_nouns{"matrix", "matrices"};
 constexpr std::array<std::string_view, 6> verbs_of_being{"be", "is", "are", "denote", "denotes", "being"};
 /// "A tall matrix", "the pseudo-inverse": a matrix that need not be square.
 constexpr auto oblong_words =
-    std::to_array<std::string_view>({"rectangular", "tall", "wide", "nonsquare", "pseudo", "pseudoinverse",
-                                     "least", "overdetermined", "underdetermined", "regression", "design"});
+    std::to_array<std::string_view>({"rectangular", "nonsquare", "pseudo", "pseudoinverse", "overdetermined",
+                                     "underdetermined", "regression"});
+constexpr auto oblong_pairs =
+    std::to_array<std::pair<std::string_view, std::string_view>>({{"least", "squares"},
+                                                                  {"design", "matrix"},
+                                                                  {"tall", "matrix"},
+                                                                  {"wide", "matrix"},
+                                                                  {"tall", "matrices"},
+                                                                  {"wide", "matrices"},
+                                                                  {"more", "rows"},
+                                                                  {"more", "columns"},
+                                                                  {"fewer", "rows"},
+                                                                  {"fewer", "columns"},
+                                                                  {"less", "rows"},
+                                                                  {"less", "columns"}});
 constexpr std::array<std::string_view, 2> joining{"and", ","};
 
 /// `A`, `A, B`, `\mathbf{A}`
@@ -316,7 +330,7 @@ namespace {
 
 using Sentence = std::span<const SaidPiece>;
 
-/// The letters that a sentence calls matrices: "the matrices $A$ and $B$", "let $A$ be an $n\\times n$
+/// The letters that a sentence calls matrices: "the matrices $A$ and $B$", "let $A$ be an $n\times n$
 /// matrix", "and $K$ a matrix".
 std::set<std::string> called_matrices(Sentence pieces) {
   static constexpr std::array<std::string_view, 3> articles_before{"a", "an", "the"};
@@ -392,9 +406,9 @@ void see_sentence(Sentence pieces, UnsizedMatrices& found) {
     if (is_one_of(word, {"vector", "vectors", "eigenvector", "eigenvectors"})) found.speaks_of_columns = true;
     if (word == "square" && is_word_of(matrix_nouns, pieces[std::min(at + 1, pieces.size() - 1)]))
       (denied ? found.rectangular : found.speaks_of_square) = true;
-    const bool compares =
-        is_one_of(word, {"more", "fewer", "less"}) && is_one_of(word_at(at + 1), {"rows", "columns"});
-    if (is_word_of(oblong_words, pieces[at]) || compares) found.rectangular = true;
+    const bool in_pair =
+        std::ranges::find(oblong_pairs, std::pair(word, word_at(at + 1))) != oblong_pairs.end();
+    if (is_word_of(oblong_words, pieces[at]) || in_pair) found.rectangular = true;
     if (word == "block" || word == "blocks") found.speaks_of_blocks = true;
     const bool sign = word.size() == 1 && !is_letter(word[0]);
     const bool same_size = word == "same" && is_one_of(word_at(at + 1), {"size", "order", "dimension"});
@@ -418,7 +432,7 @@ void see_said_unsized_matrices(std::string_view text, Evidence& evidence) {
 
 namespace {
 
-/// `A` of `A_{1}` and of `\\mathbf{A}`.
+/// `A` of `A_{1}` and of `\mathbf{A}`.
 std::string letter_alone(const std::string& name) {
   const std::string_view bold = "\\mathbf{";
   const std::size_t begin = name.starts_with(bold) ? bold.size() : 0;

@@ -251,7 +251,10 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
       return matrix_exponential(reading, *argument, span);
     return argument ? elementary_function(reading, "exp", *argument, span) : std::nullopt;
   }
-  if (syntax[raised].kind == SyntaxKind::function && syntax.text(raised) == "tr")
+  // Not `\operatorname{tr}^2 A`, where the exponent stands before the argument.
+  const bool behind_trace = syntax[raised].kind == SyntaxKind::function && syntax.text(raised) == "tr" &&
+                            syntax[exponent].span.begin >= syntax[syntax.child(raised, 0)].span.end;
+  if (behind_trace)
     return ambiguous(reading, span, "this can be the power of a trace, or the trace of a power",
                      {"put brackets around what has the power"});
   if (reads_as_order(reading, id)) {
