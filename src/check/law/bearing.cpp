@@ -60,7 +60,8 @@ std::vector<Laws> sets_of(const ExprTree& tree, const Laws& bearing) {
   Laws together;
   std::set<std::string> sides;
   for (const PageLaw* law : bearing) {
-    const bool known = !sides.insert(dump(tree, law->equation.left)).second;
+    const bool stated = law->standing == Standing::law;  // results do not say it of another thing
+    const bool known = stated && !sides.insert(dump(tree, law->equation.left)).second;
     if (!known || !law->of_its_own) together.push_back(law);
   }
   for (const std::size_t count : counts) {

@@ -344,8 +344,9 @@ std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, 
     if (decision.outcome == Outcome::proved) {
       std::vector<std::string> used;
       for (std::size_t k = 0; k < prepared.definitions.size(); ++k) {
-        if (is_one_of(prepared.question.definitions[k].symbol, decision.unfolded))
-          used.push_back(prepared.definitions[k]->text);
+        if (!is_one_of(prepared.question.definitions[k].symbol, decision.unfolded)) continue;
+        used.push_back(prepared.definitions[k]->text);
+        for (const Origin* put_in : prepared.put_in[k]) used.push_back(put_in->text);
       }
       for (const std::size_t which : decision.assumptions) {
         if (const NamedAssumption* named = prepared.assumptions[which]) used.push_back(named->origin.text);

@@ -94,7 +94,8 @@ bool is_differentiated(const RowUnderLaws& row, SymbolId letter) {
   const std::string plain = without_labels(key->base);
   if (!is_usual_constant(plain)) return true;
   return std::ranges::any_of(evidence.by, [&](const auto& entry) {
-    return entry.first == key->base || entry.first == plain || entry.second.contains(plain);
+    return entry.first == key->base || entry.first == plain ||
+           entry.second.contains(changing_name(key->base));
   });
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "check/question/running_letters.h"
 #include "elaborate/name/function_value.h"
 
 namespace rigor {
@@ -27,8 +28,9 @@ bool says_what_a_letter_is(const ExprTree& tree, const Names& names, const Equat
 void take_for_granted(const ExprTree& tree, Names& names, const Equation& equation, Origin origin,
                       bool at_instant) {
   if (!at_instant && says_what_a_letter_is(tree, names, equation)) {
-    define(names.scope,
-           {{tree[equation.left].symbol, {}, no_particle, equation.right}, std::move(origin), 0});
+    NamedDefinition named{{tree[equation.left].symbol, {}, no_particle, equation.right}, std::move(origin)};
+    named.along = runs_along(names, tree, named.definition);
+    define(names.scope, std::move(named));
   } else {
     assume(names.scope, {equation, std::move(origin), 0, at_instant});
   }

@@ -34,6 +34,8 @@ struct FoundDefinition {
   Definition definition;
   const Origin* origin;
   bool at_instant;
+  std::vector<const Origin*> put_in = {};  // definitions
+  std::vector<SymbolId> along = {};        // as `NamedDefinition` has it
 };
 
 class Preparation {
@@ -96,6 +98,7 @@ class Preparation {
     if (found) {
       prepared_.question.definitions.push_back(found->definition);
       prepared_.definitions.push_back(found->origin);
+      prepared_.put_in.push_back(found->put_in);
       pending.push_back(found->definition.body);
     } else if (is_constant(symbol) || vanishes_to_zeroth_order(symbol)) {
       prepared_.question.zeroed.push_back(symbol);
@@ -193,19 +196,19 @@ class Preparation {
 
   std::optional<FoundDefinition> definition_of(SymbolId symbol, int depth) {
     if (const NamedDefinition* named = rigor::definition_of(names_.scope, symbol))
-      return FoundDefinition{named->definition, &named->origin, named->at_instant};
+      return FoundDefinition{named->definition, &named->origin, named->at_instant, {}, named->along};
     if (depth > largest_order) return std::nullopt;
     if (const auto known = derived_.find(symbol); known != derived_.end()) return known->second;
     std::optional<FoundDefinition> result;
-    const auto& values = names_.symbols.function_values;
-    if (const auto value = values.find(symbol); value != nullptr) {
+    const auto* value = names_.symbols.function_values.find(symbol);
+    if (const auto& integral = tree_.symbols[symbol].integral; value != nullptr || integral) {
       derived_[symbol] = std::nullopt;  // y(0) of `y = y(0)e^{kx}` says nothing of itself
-      result = at_value(symbol, value->second, depth);
-      return derived_[symbol] = result;
-    }
-    if (const auto& integral = tree_.symbols[symbol].integral) {
-      derived_[symbol] = std::nullopt;
-      result = integral->average ? of_average(symbol) : of_integral(symbol);
+      std::vector<const Origin*> around = std::exchange(put_in_, {});
+      result = value != nullptr    ? at_value(symbol, value->second, depth)
+               : integral->average ? of_average(symbol)
+                                   : of_integral(symbol);
+      std::swap(around, put_in_);
+      if (result) result->put_in = std::move(around);
       return derived_[symbol] = result;
     }
     const auto& derivation = tree_.symbols[symbol].derivation;
@@ -217,7 +220,8 @@ class Preparation {
       if (of && of->at_instant && *by == By::time) {
         note_unknown(derivation->base);
       } else if (of) {
-        result = FoundDefinition{differentiated(*of, symbol, *by), of->origin, of->at_instant};
+        result = of;
+        result->definition = differentiated(*of, symbol, *by);
       }
     }
     derived_[symbol] = result;
@@ -236,11 +240,17 @@ class Preparation {
       if (!variable) return std::nullopt;
       at.emplace(*variable, value.at[k]);
     }
-    const auto body = opened(of->definition.body);
-    if (!body) return std::nullopt;
     const bool in_time = value.variables == std::vector<std::string>{"t"};
+    const auto is_held = [&](SymbolId each) {
+      return std::ranges::all_of(at, [&](const auto& entry) {
+        const Variable by = in_time ? Variable(By::time) : Variable(By::letter, entry.first);
+        return is_parameter(names_, tree_, each, by, along_which(names_, of->along, by));
+      });
+    };
+    const auto body = opened(of->definition.body, {}, is_held);
+    if (!body) return std::nullopt;
     for (const SymbolId each : symbols_in(tree_, *body)) {
-      const bool runs = may_run(each, in_time) && !is_declared_constant(names_.scope, each);
+      const bool runs = may_run(each, in_time) && !is_declared_constant(names_.scope, each) && !is_held(each);
       if (!at.contains(each) && (runs || tree_.symbols[each].integral)) return std::nullopt;
     }
     FoundDefinition result = *of;
@@ -363,20 +373,24 @@ class Preparation {
     if (conditions_.empty()) prepared_.exists_under.reset();
   }
 
-  /// With its definitions put in; nothing where they go too deep, or are of components. What an integral runs
-  /// over is `bound`, whatever else its letter means.
-  std::optional<ExprId> opened(ExprId body, std::optional<SymbolId> bound = {}) {
+  /// With its definitions put in, but of what `is_held`; nothing where they go too deep, or are of
+  /// components. What an integral runs over is `bound`, whatever else its letter means.
+  std::optional<ExprId> opened(ExprId body, std::optional<SymbolId> bound = {},
+                               const std::function<bool(SymbolId)>& is_held = {}) {
     constexpr int deepest = 8;                // definitions of definitions; a circle is none
     constexpr std::uint32_t largest = 4'000;  // nodes
     for (int k = 0; k < deepest && tree_[body].weight < largest; ++k) {
       bool plain = true;
       const ExprId next = replaced(tree_, body, [&](ExprId id) -> std::optional<ExprId> {
-        if (bound == tree_[id].symbol) return std::nullopt;
-        const auto of = definition_of(tree_[id].symbol, 1);
+        const SymbolId symbol = tree_[id].symbol;
+        if (bound == symbol || (is_held && is_held(symbol))) return std::nullopt;
+        const auto of = definition_of(symbol, 1);
         if (!of) return std::nullopt;
         const bool whole = of->definition.indices.empty() && of->definition.particle == no_particle &&
                            !of->definition.by_square && tree_[id].slot_count == 0;
         plain = plain && whole;
+        if (whole) put_in_.push_back(of->origin);
+        if (whole) put_in_.insert(put_in_.end(), of->put_in.begin(), of->put_in.end());
         return whole ? std::optional(of->definition.body) : std::nullopt;
       });
       if (!plain) return std::nullopt;
@@ -405,8 +419,9 @@ class Preparation {
     Definition result = of.definition;
     result.symbol = symbol;
     result.by_square = false;
+    const std::vector<SymbolId> along = along_which(names_, of.along, by);
     if (by != By::space) {
-      result.body = differentiator(by).derivative_or_zero(of.definition.body);
+      result.body = differentiator(by, {}, along).derivative_or_zero(of.definition.body);
       return result;
     }
     std::vector<Slot> slots;
@@ -417,17 +432,24 @@ class Preparation {
       }
     }
     result.indices.push_back(tree_.add_index("s"));
-    const ExprId body = differentiator(by, {0, result.indices.back()}).derivative_or_zero(of.definition.body);
+    const ExprId body =
+        differentiator(by, {0, result.indices.back()}, along).derivative_or_zero(of.definition.body);
     result.body = component_of(tree_, body, slots);
     return result;
   }
 
-  Differentiator differentiator(const Variable& by, Slot axis = {}) {
-    const auto dependence_of = [this, by](SymbolId symbol) {
+  /// `along`: what the quantity that is differentiated is written with, so that its parameters are held.
+  Differentiator differentiator(const Variable& by, Slot axis = {}, const std::vector<SymbolId>& along = {}) {
+    const auto dependence_of = [this, by, along](SymbolId symbol) {
       if (integrals_.is_bound(symbol)) return Dependence{Dependence::Kind::constant};
       const Dependence dependence = this->dependence(symbol, by);
-      const bool guessed =
-          dependence.kind == Dependence::Kind::varies && !knows_change(names_, tree_, symbol, by);
+      const bool varies = dependence.kind == Dependence::Kind::varies;
+      if (varies && is_parameter(names_, tree_, symbol, by, along)) {
+        note_parameter(symbol, along);
+        if (names_.symbols.evidence->speaks_of_change) note_unknown(symbol);  // then only a proof counts
+        return Dependence{Dependence::Kind::constant};
+      }
+      const bool guessed = varies && !knows_change(names_, tree_, symbol, by);
       if (guessed) note_unknown(symbol);
       return dependence;
     };
@@ -443,6 +465,12 @@ class Preparation {
   void note_unknown(SymbolId symbol) {
     auto& unknown = prepared_.unknown_changes;
     if (!is_one_of(symbol, unknown)) unknown.push_back(symbol);
+  }
+
+  void note_parameter(SymbolId symbol, const std::vector<SymbolId>& along) {
+    auto held = fmt::format("`{}` does not change with `{}`", tree_.symbols[symbol].name,
+                            tree_.symbols[along[0]].name);
+    if (!is_one_of(held, prepared_.conventions)) prepared_.conventions.push_back(std::move(held));
   }
 
   /// A derivative of something that does not change.
@@ -672,6 +700,7 @@ class Preparation {
   int highest_law_ = 0;    // of a derivative in an assumption as it stands
   int beyond_ = 0;         // how far above it derivatives of assumptions are taken: 0, then `slack_`
   std::map<SymbolId, std::optional<FoundDefinition>> derived_;
+  std::vector<const Origin*> put_in_;  // by `opened`, into what is made
   IntegralValues integrals_;
   std::vector<Equation> conditions_;  // without which they do not exist
   std::map<ExprId, Equation> vanishing_;

@@ -15,6 +15,7 @@ namespace rigor {
 struct Prepared {
   Question question;
   std::vector<const Origin*> definitions;           // where each of the question's definitions comes from
+  std::vector<std::vector<const Origin*>> put_in;   // into each: other definitions, as into the value F(a)
   std::vector<const NamedAssumption*> assumptions;  // the same; nullptr where a kind implies it (|n| = 1)
   std::size_t without_slack = 0;                    // so many of the assumptions would be there without slack
   std::optional<std::string> too_large = {};        // why derivatives are missing: then nothing is decided

@@ -2,7 +2,9 @@
 #include "check/question/running_letters.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,10 @@ namespace {
 
 /// t of `t'` and `t_1`.
 std::string without_marks(const std::string& letter) { return letter.substr(0, letter.find_first_of("_^'")); }
+
+bool has_rates(const ExprTree& tree, const std::vector<SymbolId>& symbols) {
+  return std::ranges::any_of(symbols, [&](SymbolId each) { return tree.symbols[each].order(By::time) > 0; });
+}
 
 }  // namespace
 
@@ -28,10 +34,10 @@ bool is_independent(const Names& names, const ExprTree& tree, SymbolId symbol, c
   const bool known = usual ? is_place(*of) && (is_place(*key) || key->base == "t")
                            : evidence.by.contains(key->base);  // \alpha of `d/d\alpha`
   if (!known) return false;
-  const auto tied = evidence.tied.find(key->base);
+  const std::string name = changing_name(key->base);
+  const auto tied = evidence.tied.find(name);
   return !is_changing(evidence, key->base) && (tied == evidence.tied.end() || tied->second.empty()) &&
-         std::ranges::none_of(evidence.by,
-                              [&](const auto& entry) { return entry.second.contains(key->base); });
+         std::ranges::none_of(evidence.by, [&](const auto& entry) { return entry.second.contains(name); });
 }
 
 bool shows_change(const Names& names, SymbolId symbol, SymbolId variable) {
@@ -46,11 +52,8 @@ bool shows_change(const Names& names, SymbolId symbol, SymbolId variable) {
   const auto stands_for = [&](const std::string& other) {
     return other == letter || (!usual.contains(letter) && usual.contains(other));
   };
-  for (const std::string& name : {own->base, without_labels(own->base)}) {
-    const auto others = evidence.tied.find(name);
-    if (others != evidence.tied.end() && std::ranges::any_of(others->second, stands_for)) return true;
-  }
-  return false;
+  const auto others = evidence.tied.find(changing_name(own->base));
+  return others != evidence.tied.end() && std::ranges::any_of(others->second, stands_for);
 }
 
 bool is_tied_to(const Names& names, SymbolId symbol, SymbolId variable) {
@@ -59,7 +62,7 @@ bool is_tied_to(const Names& names, SymbolId symbol, SymbolId variable) {
   if (own == nullptr || of == nullptr) return false;
   const auto& tied = names.symbols.evidence->tied;
   const std::string variable_letter = without_marks(of->base);
-  std::vector<std::string> reached{without_labels(own->base), own->base};
+  std::vector<std::string> reached{changing_name(own->base)};
   for (std::size_t k = 0; k < reached.size(); ++k) {
     if (reached[k] == variable_letter) return true;
     const auto others = tied.find(reached[k]);
@@ -95,9 +98,50 @@ bool is_function_of_only(const Names& names, const ExprTree& tree, SymbolId symb
                      });
   if (!of_it) return false;
   for (const auto& [by, functions] : evidence.by) {
-    if (by != of->base && functions.contains(own->base)) return false;
+    if (by != of->base && functions.contains(changing_name(own->base))) return false;
   }
   return has_a_rate || is_function_of(evidence, own->base, of->base);
+}
+
+std::vector<SymbolId> runs_along(const Names& names, const ExprTree& tree, const Definition& function) {
+  const NameKey* own = key_of(names.symbols, function.symbol);
+  if (own == nullptr) return {};
+  std::vector<SymbolId> along;
+  for (const auto& [name, variables] : names.symbols.evidence->running) {
+    if (changing_name(name) != changing_name(own->base)) continue;
+    for (const SymbolId letter : symbols_in(tree, function.body)) {
+      const NameKey* key = key_of(names.symbols, letter);
+      if (key != nullptr && key->rank == 0 && variables.contains(key->base)) along.push_back(letter);
+    }
+  }
+  return along;
+}
+
+std::vector<SymbolId> along_which(const Names& names, const std::vector<SymbolId>& along,
+                                  const Variable& by) {
+  std::vector<SymbolId> these;
+  std::ranges::copy_if(along, std::back_inserter(these), [&](SymbolId letter) {
+    const NameKey* key = key_of(names.symbols, letter);
+    if (by.by == By::letter) return letter == by.letter;
+    if (by == By::time) return key != nullptr && key->base == "t";
+    return by == By::space && key != nullptr && is_one_of(key->base, {"x", "y", "z"});
+  });
+  return these;
+}
+
+bool is_parameter(const Names& names, const ExprTree& tree, SymbolId symbol, const Variable& by,
+                  std::span<const SymbolId> along) {
+  const Evidence& evidence = *names.symbols.evidence;
+  const NameKey* own = key_of(names.symbols, symbol);
+  if (own == nullptr || along.empty()) return false;
+  if (tree.symbols[symbol].derivation || is_function_value(names, tree, symbol)) return false;
+  if (const auto body = body_of_definition(names.scope, symbol))
+    return by.by == By::letter && has_rates(tree, symbols_reached(tree, names.scope, {*body}));
+  const bool changes_in_time =
+      by == By::time && (evidence.speaks_of_change || is_changing(evidence, own->base));
+  return !changes_in_time && !evidence.primed.contains(own->base) &&
+         std::ranges::none_of(
+             along, [&](SymbolId letter) { return symbol == letter || counts_along(names, symbol, letter); });
 }
 
 bool hides_variable(const Names& names, const ExprTree& tree, const Integral& integral, ExprId opened) {

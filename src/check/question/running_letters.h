@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which letters of an integrand change with the variable of the integral, as far as the section shows.
+// Which letters of an integrand change with the variable of the integral, as far as the section shows; and
+// which of a function with what it is written of.
 #pragma once
+
+#include <span>
+#include <vector>
 
 #include "elaborate/name/names.h"
 
@@ -25,6 +29,18 @@ namespace rigor {
 /// Is it written as a function of this letter, and of no other?
 [[nodiscard]] bool is_function_of_only(const Names& names, const ExprTree& tree, SymbolId symbol,
                                        SymbolId variable);
+
+/// x of `u(x) = A\cos qx + B`, as the section writes it: this says what u is for each x, and its other
+/// letters are parameters, which a derivative by x holds.
+[[nodiscard]] std::vector<SymbolId> runs_along(const Names& names, const ExprTree& tree,
+                                               const Definition& function);
+/// Of these, what a derivative is by.
+[[nodiscard]] std::vector<SymbolId> along_which(const Names& names, const std::vector<SymbolId>& along,
+                                                const Variable& by);
+/// B and q, along x; not v of `E(t) = \tfrac12mv^2 + qt` beside `\dot v`. Also l of `l = mr^2\dot\theta` in
+/// what runs along r: there are no rates along it.
+[[nodiscard]] bool is_parameter(const Names& names, const ExprTree& tree, SymbolId symbol, const Variable& by,
+                                std::span<const SymbolId> along);
 
 /// `\int_0^t v\,dt'` of `v = at`, `\int_0^d F\,ds` of `F = -kx`: is v meant at t or at t'?
 [[nodiscard]] bool hides_variable(const Names& names, const ExprTree& tree, const Integral& integral,

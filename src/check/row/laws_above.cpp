@@ -18,6 +18,7 @@
 #include "check/meaning/measured.h"
 #include "check/place/place.h"
 #include "check/question/base_letters.h"
+#include "check/question/running_letters.h"
 #include "check/word/place_words.h"
 #include "check/word/prose_words.h"
 #include "elaborate/evidence/evidence.h"
@@ -87,30 +88,6 @@ bool says_that_a_field_vanishes(const RowPlace& place, const Equation& equation)
   const NameKey* key = key_of(place.names.symbols, left.symbol);  // none of a derivative
   const Sightings& sightings = *place.names.symbols.sightings;
   return key != nullptr && sightings.places && !has_rate(sightings, *key);
-}
-
-/// `x(0) = x_0`, `u(h) = U`: it speaks of a moment or a place, and holds at all times. A letter alone beside
-/// such a value is another name of it, also N of `N_1(0) = N`.
-bool is_about_values(const RowPlace& place, const Equation& equation) {
-  const Evidence& evidence = *place.names.symbols.evidence;
-  const auto is_letter = [&](ExprId side) { return place.tree[side].op == Op::symbol; };
-  const bool names = is_letter(equation.left) && is_letter(equation.right);
-  bool found = false;
-  for (const ExprId side : {equation.left, equation.right}) {
-    for (const SymbolId symbol : symbols_in(place.tree, side)) {
-      if (is_function_value(place.names, place.tree, symbol)) {
-        found = true;
-        continue;
-      }
-      const NameKey* key = key_of(place.names.symbols, symbol);
-      if (key == nullptr) return false;
-      const bool changes =
-          names ? evidence.applied.contains(key->base) || has_rate(*place.names.symbols.sightings, *key)
-                : may_be_changing(evidence, key->base);
-      if (changes) return false;
-    }
-  }
-  return found;
 }
 
 /// `v = \dot x`; not `\dot x = v_0`, which may be how it starts.
@@ -330,7 +307,39 @@ bool is_of_a_spot(const RowPlace& place) {
   return !behind.empty() && is_one_of(behind[0], {"on", "along", "in"}) && names_a_spot(tail);
 }
 
+/// Has it a rate, or a letter that may change?
+bool speaks_of_change(const RowPlace& place, const Equation& equation) {
+  return std::ranges::any_of(std::array{equation.left, equation.right}, [&](ExprId side) {
+    return std::ranges::any_of(symbols_in(place.tree, side), [&](SymbolId symbol) {
+      const NameKey* key = key_of(place.names.symbols, symbol);
+      return key == nullptr || may_be_changing(*place.names.symbols.evidence, key->base);
+    });
+  });
+}
+
 }  // namespace
+
+bool is_about_values(const RowPlace& place, const Equation& equation) {
+  const Evidence& evidence = *place.names.symbols.evidence;
+  const auto is_letter = [&](ExprId side) { return place.tree[side].op == Op::symbol; };
+  const bool names = is_letter(equation.left) && is_letter(equation.right);
+  bool found = false;
+  for (const ExprId side : {equation.left, equation.right}) {
+    for (const SymbolId symbol : symbols_in(place.tree, side)) {
+      if (is_function_value(place.names, place.tree, symbol)) {
+        found = true;
+        continue;
+      }
+      const NameKey* key = key_of(place.names.symbols, symbol);
+      if (key == nullptr) return false;
+      const bool changes =
+          names ? evidence.applied.contains(key->base) || has_rate(*place.names.symbols.sightings, *key)
+                : may_be_changing(evidence, key->base);
+      if (changes) return false;
+    }
+  }
+  return found;
+}
 
 bool says_values_at_a_moment(const RowPlace& place, const Equation& equation) {
   const bool somewhere = is_of_a_moment(place) || is_of_a_spot(place);
@@ -366,23 +375,29 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
   const bool momentary = is_of_a_moment(place) || asks_directly(here.lead);
   const bool operators =
       has_operators(place.tree, equation.left) || has_operators(place.tree, equation.right);
-  const bool sets = sets_letters_equal(place.tree, equation);
+  // `a = x_0` that was found to follow is no case.
+  const bool sets = sets_letters_equal(place.tree, equation) &&
+                    (standing != Standing::result || speaks_of_change(place, equation));
   const bool of_values = is_about_values(place, equation);
   const auto is_of_this_case = [&](const StatedLaw& each) {
     return each.law.of_a_case && each.law.argument == here.argument;
   };
   const bool in_a_case =
       announces_a_conclusion(here.lead) && std::ranges::any_of(place.above.stated, is_of_this_case);
-  const bool lasts =
-      of_values || (!momentary && !is_of_a_spot(place) && says_that_a_field_vanishes(place, equation));
+  // `V(r) = -k/r` holds for each r, whatever rests somewhere.
+  const auto letter = letter_of_law(place.tree, equation);
+  const bool runs =
+      letter && !runs_along(place.names, place.tree, {.symbol = *letter, .body = equation.right}).empty();
+  const bool lasts = of_values || runs ||
+                     (!momentary && !is_of_a_spot(place) && says_that_a_field_vanishes(place, equation));
   PageLaw law{.equation = equation,
               .name = name_of_law(parsed.written.tag, relation, place.sources, word_of(standing)),
               .span = relation,
               .place = here.place,
               .argument = here.argument,
               .at_instant = (momentary || sets) && !lasts,
-              .of_a_case = in_a_case || ((momentary || sets) && !of_values) || is_an_example(place) ||
-                           beside_an_arrow || is_conditional(place, !operators) ||
+              .of_a_case = in_a_case || ((momentary || sets) && !of_values && !runs) ||
+                           is_an_example(place) || beside_an_arrow || is_conditional(place, !operators) ||
                            is_value(place.tree, equation) || determines_a_letter(place.tree, equation),
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
               .standing = standing};
@@ -392,7 +407,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
                                 .conditions = conditions_said(place, parsed),
                                 .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
                                 .of_case = case_said_at(place.notes.prose, place.event, place.section),
-                                .letter = letter_of_law(place.tree, equation),
+                                .letter = letter,
                                 .meanings = meanings_of(place, equation)});
 }
 
@@ -532,19 +547,21 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
                        !names_a_surface(place, equation);
     const bool tries = may_try && !for_now && letter && is_differentiated(place, *letter) &&
                        has_a_function(place.tree, equation.right);
-    const bool says = is_about_values(place, equation) || tries ||
-                      (!said.at_place && is_differential_equation(place.tree, equation));
+    const bool of_values = is_about_values(place, equation);
+    const bool says =
+        of_values || tries || (!said.at_place && is_differential_equation(place.tree, equation));
     const bool poses = says && !turns_a_problem_down(sentence->text);
     if (!names && !poses) continue;
     const std::string words = lowered(sentence->text);
-    PageLaw law{.equation = equation,
-                .name = fmt::format("{} (line {})", written_at(place, said.span),
-                                    place.sources.line_column(said.span.file, said.span.begin).line),
-                .span = said.span,
-                .place = said.place,
-                .argument = said.argument,
-                .of_a_case = !names || word_that_demands(words) || word_of_a_special_case(words),
-                .names_a_letter = brings_in};
+    PageLaw law{
+        .equation = equation,
+        .name = fmt::format("{} (line {})", written_at(place, said.span),
+                            place.sources.line_column(said.span.file, said.span.begin).line),
+        .span = said.span,
+        .place = said.place,
+        .argument = said.argument,
+        .of_a_case = !(names || of_values) || word_that_demands(words) || word_of_a_special_case(words),
+        .names_a_letter = brings_in};
     place.found.stated.push_back({.law = std::move(law),
                                   .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
                                   .of_case = case_said_in(place.notes.prose, said.sentence, place.section),
@@ -559,7 +576,7 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_
     int here = 0;  // in this section or one around it
     int anywhere = 0;
   };
-  std::map<SymbolId, Times> said;  // how often the page says what a letter is
+  std::map<SymbolId, Times> said;  // how often the page says what a letter is; a result says it again
   const auto is_here = [&](const StatedLaw& stated) {
     return place.notes.prose.sections.reaches(stated.law.place, beside(place).place);
   };
@@ -567,7 +584,7 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_
   for (const StatedLaw& stated : place.above.stated) {
     if (stated.law.standing == Standing::law && is_here(stated))
       stated_here.insert(stated.beginnings.begin(), stated.beginnings.end());
-    if (!stated.letter) continue;
+    if (!stated.letter || stated.law.standing == Standing::result) continue;
     Times& times = said[*stated.letter];
     ++times.anywhere;
     if (is_here(stated)) ++times.here;
@@ -579,7 +596,8 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_
     const Span at = stated.law.span;
     const Span own = parsed.written.span;
     const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
-    const Times times = stated.letter ? said[*stated.letter] : Times{};
+    const bool says = stated.letter && stated.law.standing != Standing::result;
+    const Times times = says ? said[*stated.letter] : Times{};
     const Reach reach{(is_here(stated) ? times.here : times.anywhere) > 1, conditions, stated_here, cases,
                       of_any_thing};
     if (!of_this_chain && is_available(place, stated, reach)) available.push_back(&stated.law);

@@ -184,7 +184,7 @@ std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& ro
                     .place = fact.place,
                     .argument = here.argument,
                     .at_instant = fact.at_instant,
-                    .of_a_case = true});
+                    .of_a_case = !is_about_values(place, fact.equation)});
   }
   return laws;
 }
@@ -239,9 +239,10 @@ bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& cla
   if (judgement.restates) return true;
   heed_proof(place, row.parsed, claim, judgement);
   const bool both_ways = row.parsed.written.inference == Inference::equivalence;
-  // What holds where its own sentence does need not hold below.
-  const bool of_its_sentence = std::ranges::any_of(
-      grounds.of_its_sentence, [&](const PageLaw* law) { return is_one_of(law->name, judgement.uses); });
+  // What holds where its own sentence does need not hold below, but for initial values.
+  const bool of_its_sentence = std::ranges::any_of(grounds.of_its_sentence, [&](const PageLaw* law) {
+    return law->of_a_case && is_one_of(law->name, judgement.uses);
+  });
   if (judgement.verdict == Verdict::proved && !both_ways && !of_its_sentence)
     leave_result(place, row, claim, judgement.uses);
   return true;

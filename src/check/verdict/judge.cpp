@@ -152,6 +152,9 @@ class Judging {
   /// Unless it is the last word, nobody asks what refutes it.
   Decision decide_prepared(bool last) {
     for (const Origin* definition : prepared_.definitions) mark_used(*definition);
+    for (const auto& put_in : prepared_.put_in) {
+      for (const Origin* definition : put_in) mark_used(*definition);
+    }
     if (prepared_.too_large) {
       Decision open;
       open.reason = *prepared_.too_large;
@@ -257,7 +260,9 @@ class Judging {
     for (std::size_t k = 0; k < prepared_.definitions.size(); ++k) {
       const auto& unfolded = decision.unfolded;
       const SymbolId symbol = prepared_.question.definitions[k].symbol;
-      if (is_one_of(symbol, unfolded)) add_use(prepared_.definitions[k]->text);
+      if (!is_one_of(symbol, unfolded)) continue;
+      add_use(prepared_.definitions[k]->text);
+      for (const Origin* put_in : prepared_.put_in[k]) add_use(put_in->text);
     }
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) add_use(prepared_.assumptions[which]->origin.text);

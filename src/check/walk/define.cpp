@@ -10,6 +10,7 @@
 #include "check/law/solves.h"
 #include "check/meaning/measured.h"
 #include "check/prose/denial.h"
+#include "check/question/running_letters.h"
 #include "check/row/row.h"
 #include "check/scope/contradiction.h"
 #include "check/scope/decomposition.h"
@@ -94,7 +95,8 @@ void add_definition(Walk& walk, const Typed& left, const Typed& right, const Par
     return;
   }
   assume_rules_above(walk, definition->symbol);
-  define(walk.names.scope, {*definition, std::move(origin), 0});
+  define(walk.names.scope,
+         {*definition, std::move(origin), 0, false, runs_along(walk.names, walk.tree, *definition)});
   if (!walk.names.scope.small.empty() && decides(walk))
     compare_orders(walk, as_equation(walk.tree, *definition), step.relation_span, step.diagnostics);
   step.verdict = Verdict::definition;

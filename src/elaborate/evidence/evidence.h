@@ -308,6 +308,11 @@ void see_said_changes(std::string_view text, Evidence& evidence);
 /// When all is seen: what may change because something else does.
 void settle_changes(Evidence& evidence);
 
+/// How `Evidence::changing`, `may_change`, `tied` and `by` name a symbol: `x`; `x_#` for `x_i` and `x_1`,
+/// which change together; `\omega_p`, `V_eff` and `x_0` with their labels. None of these says anything of
+/// another.
+[[nodiscard]] std::string changing_name(const WrittenSymbol& symbol);
+[[nodiscard]] std::string changing_name(std::string_view name);
 /// `\dot q`: how `Evidence::by` names a variable that is a rate.
 [[nodiscard]] std::string dotted(std::string_view letter, int dots);
 /// Does the section write the letter with plain letters in brackets behind it?

@@ -113,8 +113,9 @@ void see_differentials(const SyntaxTree& syntax, SyntaxId root, Evidence& eviden
   const auto see_below = [&](SyntaxId operand) {
     for (const SyntaxId id : nodes_below(syntax, {operand})) {
       if (syntax[id].kind != SyntaxKind::symbol) continue;
-      evidence.by[std::string(path_parameter)].insert(syntax.symbol(id).letter);
-      evidence.changing.insert(syntax.symbol(id).letter);
+      const std::string name = changing_name(syntax.symbol(id));
+      evidence.by[std::string(path_parameter)].insert(name);
+      evidence.changing.insert(name);
     }
   };
   for (const SyntaxId id : nodes_below(syntax, {root})) {

@@ -51,14 +51,55 @@ std::vector<std::string> letters_in_bracket(const SyntaxTree& syntax, SyntaxId b
 /// `x_0`, `t'`: a value of what the function depends on.
 bool is_marked(std::string_view letter) { return letter.find_first_of("_'^") != std::string_view::npos; }
 
-/// `x_0` alone is an initial value; any other subscript can be an index.
-std::string changing_name(const WrittenSymbol& symbol) {
-  const bool initial = symbol.lower.size() == 1 && symbol.lower[0].text == "0";
-  return initial ? symbol.letter + "_0" : symbol.letter;
+/// The same however its label is set: `eff` of `\text{eff}` and of `{eff}`.
+std::string plainly_set(std::string_view label) {
+  std::string plain;
+  while (!label.empty()) {
+    if (label.starts_with("\\text") || label.starts_with("\\math") || label.starts_with("\\rm")) {
+      label.remove_prefix(std::min(label.size(), label.find_first_of("{ ", 1)));
+    } else {
+      if (label.front() != '{' && label.front() != '}' && label.front() != ' ') plain += label.front();
+      label.remove_prefix(1);
+    }
+  }
+  return plain;
 }
 
+/// Can it name components, particles or members of a family, which change together? `p` and `eff` name a
+/// quantity alone, and so does `0`: an initial value.
+bool counts_components(std::string_view label) {
+  if (label == "0") return false;
+  static constexpr std::string_view indices[] = {
+      "i",     "j",       "k",     "l",        "m",        "n",       "a",       "b",       "x",    "y",
+      "z",     "r",       "s",     "t",        "\\alpha",  "\\beta",  "\\gamma", "\\delta", "\\mu", "\\nu",
+      "\\rho", "\\theta", "\\phi", "\\varphi", "\\lambda", "\\kappa", "\\sigma", "+",       "-",    "\\pm"};
+  while (!label.empty()) {
+    const std::size_t length =
+        label.front() == '\\' ? std::min(label.find_first_of("\\0123456789", 1), label.size()) : 1;
+    const std::string_view index = label.substr(0, length);
+    if (!is_digit(index.front()) && !is_one_of(index, indices)) return false;
+    label.remove_prefix(length);
+  }
+  return true;
+}
+
+std::string with_own_label(const std::string& letter, const std::string& label) {
+  if (label.empty()) return letter;
+  return letter + (counts_components(label) ? "_#" : "_" + label);
+}
+
+/// `p` of `\omega_{p}`; upper labels count, as `^{(0)}`.
+std::string label_in(std::string_view name) {
+  const std::size_t at = name.find('_');
+  if (at == std::string_view::npos || name.find('^') < at) return {};
+  return plainly_set(name.substr(at + 1, name.find('^') - at - 1));
+}
+
+/// With its components, if it is a vector.
 void note_changing(const WrittenSymbol& symbol, Evidence& evidence) {
-  evidence.changing.insert(changing_name(symbol));
+  const std::string name = changing_name(symbol);
+  evidence.changing.insert(name);
+  if (symbol.face != Face::plain && symbol.lower.empty()) evidence.changing.insert(name + "_#");
 }
 
 SyntaxId bare(const SyntaxTree& syntax, SyntaxId id) {
@@ -89,15 +130,15 @@ std::string take_letter(std::string_view text, std::size_t& at) {
   return at < text.size() && is_letter(text[at]) ? std::string(1, text[at++]) : std::string{};
 }
 
-/// `V_0` beside `V(r)`: a number as a rule.
-bool is_initial_value(std::string_view name) { return name.ends_with("_{0}") || name.ends_with("_0"); }
-
+/// What has components among them can stand without an index, too.
 bool is_among(const std::set<std::string>& letters, std::string_view name) {
-  const bool initial = is_initial_value(name);
+  const std::string label = label_in(name);
   for (std::size_t at = 0; at < name.size();) {
     if (name[at] == '_' || name[at] == '^') return false;  // labels
     const std::string letter = take_letter(name, at);
-    if (letters.contains(initial ? letter + "_0" : letter)) return true;
+    if (letters.contains(with_own_label(letter, label)) ||
+        (label.empty() && !letter.empty() && letters.contains(letter + "_#")))
+      return true;
     if (letter.empty()) ++at;
   }
   return false;
@@ -189,7 +230,7 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
       if (syntax[of].kind == SyntaxKind::symbol) note_changing(syntax.symbol(of), evidence);
       for (const WrittenVariable& by : syntax.derivative(id).by) {
         std::set<std::string>& functions = evidence.by[dotted(by.symbol.letter, by.symbol.dots)];
-        if (syntax[of].kind == SyntaxKind::symbol) functions.insert(syntax.symbol(of).letter);
+        if (syntax[of].kind == SyntaxKind::symbol) functions.insert(changing_name(syntax.symbol(of)));
       }
     }
     if (kind != SyntaxKind::term) continue;
@@ -218,6 +259,19 @@ bool is_never_applied(const WrittenSymbol& symbol) {
   return is_one_of(symbol.letter, letters) || !symbol.change.empty();
 }
 
+std::string changing_name(const WrittenSymbol& symbol) {
+  std::string label;
+  for (const WrittenIndex& index : symbol.lower) {
+    if (!index.text.starts_with('^')) label += plainly_set(index.text);
+  }
+  return with_own_label(symbol.letter, label);
+}
+
+std::string changing_name(std::string_view name) {
+  const std::string label = label_in(name);
+  return with_own_label(std::string(name.substr(0, name.find_first_of("_^"))), label);
+}
+
 std::string dotted(std::string_view letter, int dots) {
   std::string name;
   for (int k = 0; k < dots; ++k) name += "\\dot ";
@@ -236,13 +290,12 @@ bool is_applied(const Evidence& evidence, std::string_view name) {
 bool is_function_of(const Evidence& evidence, std::string_view name, std::string_view variable) {
   std::size_t at = 0;
   const std::string letter = take_letter(name, at);
+  const std::string own = with_own_label(letter, label_in(name));
   const auto by = evidence.by.find(std::string(variable));
-  const bool initial = is_initial_value(name);
-  if (by != evidence.by.end() && by->second.contains(initial ? letter + "_0" : letter)) return true;
+  if (by != evidence.by.end() && by->second.contains(own)) return true;
   return std::ranges::any_of(evidence.applied, [&](const auto& entry) {
-    if (initial && !is_initial_value(entry.first)) return false;
     std::size_t begin = entry.first.starts_with("\\mathbf ") ? 8 : 0;
-    return take_letter(entry.first, begin) == letter &&
+    return with_own_label(take_letter(entry.first, begin), label_in(entry.first)) == own &&
            std::ranges::any_of(entry.second, [&](const std::vector<std::string>& letters) {
              return std::ranges::find(letters, variable) != letters.end();
            });
@@ -263,7 +316,7 @@ std::optional<std::string> variable_of_primes(const WrittenSymbol& symbol, const
   std::set<std::string> found;
   if (variables) found.insert(variables->begin(), variables->end());
   for (const auto& [variable, functions] : evidence.by) {
-    if (!variables && functions.contains(symbol.letter)) found.insert(variable);
+    if (!variables && functions.contains(changing_name(symbol))) found.insert(variable);
   }
   const bool one = found.size() == 1 && *found.begin() != "t" && !is_marked(*found.begin()) &&
                    found.begin()->find(' ') == std::string::npos;
@@ -298,8 +351,22 @@ bool is_of_outcomes(const SyntaxTree& syntax, SyntaxId id) {
   return syntax[id].kind == SyntaxKind::function && syntax.text(id) == "average";
 }
 
+/// `f(\mu + \delta)`, where `f(x) = …` stands above: a relation of such values says nothing of their letters.
+bool is_value_of_function(const SyntaxTree& syntax, SyntaxId term, const Evidence& evidence) {
+  if (syntax[term].kind != SyntaxKind::term) return false;
+  const std::span<const SyntaxChild> factors = syntax.children(term);
+  for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
+    if (syntax[factors[k].id].kind == SyntaxKind::symbol && factors[k + 1].joint == Joint::juxtaposed &&
+        may_hold_arguments(syntax, factors[k + 1].id) &&
+        evidence.running.contains(name_of(syntax.symbol(factors[k].id))))
+      return true;
+  }
+  return false;
+}
+
 /// `Cd = \epsilon A` says of none of its letters alone what it is, so that any of them may follow the others.
-/// An identity, with the same letters on both sides, a law of rates, a sum and an integral do not.
+/// An identity, with the same letters on both sides, a law of rates, a sum and an integral do not. Initial
+/// values follow nothing.
 void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
   std::vector<std::set<std::string>> letters;
   for (const SyntaxId side : sides) {
@@ -307,11 +374,13 @@ void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
     for (const SyntaxId id : nodes_below(syntax, {side})) {
       const SyntaxKind kind = syntax[id].kind;
       if (kind == SyntaxKind::derivative || kind == SyntaxKind::line_integral ||
-          kind == SyntaxKind::between || kind == SyntaxKind::big_sum || is_of_outcomes(syntax, id))
+          kind == SyntaxKind::between || kind == SyntaxKind::big_sum || is_of_outcomes(syntax, id) ||
+          is_value_of_function(syntax, id, evidence))
         return;
       if (kind != SyntaxKind::symbol) continue;
       if (syntax.symbol(id).dots > 0 || syntax.symbol(id).primes > 0) return;
-      own.insert(changing_name(syntax.symbol(id)));
+      const std::string name = changing_name(syntax.symbol(id));
+      if (!name.ends_with("_0")) own.insert(name);
     }
   }
   if (letters.size() != 2 || letters[0] == letters[1]) return;
@@ -416,25 +485,29 @@ std::optional<std::vector<std::string>> variables_of(const WrittenSymbol& symbol
   std::ranges::copy_if(applied->second, std::back_inserter(plain), [](const std::vector<std::string>& each) {
     return std::ranges::none_of(each, is_marked);
   });
-  const auto are_coordinates = [](const std::vector<std::string>& each) {
-    return std::ranges::all_of(each, [](const std::string& letter) { return is_usual_coordinate(letter); });
-  };
-  // `u(y)`, `u(h)`: the letter that is a coordinate.
-  if (plain.size() > 1) std::erase_if(plain, [&](const auto& each) { return !are_coordinates(each); });
-  if (plain.size() != 1) return std::nullopt;
-  const std::vector<std::string>& variables = plain.front();
   const auto running = evidence.running.find(name_of(symbol));
   const auto runs = [&](const std::string& each) {
     return running != evidence.running.end() && running->second.contains(each);
   };
+  const auto all_run = [&](const std::vector<std::string>& each) { return std::ranges::all_of(each, runs); };
+  const auto are_coordinates = [](const std::vector<std::string>& each) {
+    return std::ranges::all_of(each, [](const std::string& letter) { return is_usual_coordinate(letter); });
+  };
+  // `f(\varepsilon) = …`, `f(\mu)`: the letter that it is written with; `u(y)`, `u(h)`: that is a coordinate.
+  if (plain.size() > 1) {
+    const bool written = std::ranges::any_of(plain, all_run);
+    std::erase_if(plain,
+                  [&](const auto& each) { return !(written ? all_run(each) : are_coordinates(each)); });
+  }
+  if (plain.size() != 1) return std::nullopt;
+  const std::vector<std::string>& variables = plain.front();
   const auto is_running = [&](const std::string& each) {
     const bool vector = each.starts_with("\\mathbf ") && !is_marked(each);
     return runs(each) || is_usual_coordinate(each) || vector;
   };
-  const bool sure = variables.size() > 1
-                        ? std::ranges::all_of(variables, is_running)
-                        : std::ranges::all_of(variables, runs) ||
-                              (are_coordinates(variables) && !is_usual_coefficient(symbol.letter));
+  const bool sure = variables.size() > 1 ? std::ranges::all_of(variables, is_running)
+                                         : all_run(variables) || (are_coordinates(variables) &&
+                                                                  !is_usual_coefficient(symbol.letter));
   return sure ? std::optional(variables) : std::nullopt;
 }
 

@@ -23,8 +23,7 @@ namespace rigor {
   const NameKey* key = key_of(names.symbols, symbol);
   const std::set<std::string>& may_change = names.symbols.evidence->may_change;
   return key != nullptr &&
-         (may_change.contains(key->base) || may_change.contains(without_labels(key->base)) ||
-          is_changing(*names.symbols.evidence, key->base));
+         (may_change.contains(changing_name(key->base)) || is_changing(*names.symbols.evidence, key->base));
 }
 
 /// The symbols below a node, and those of its integrals; `averaged`: and of its averages.

@@ -40,6 +40,7 @@ struct NamedDefinition {
   Origin origin;
   int depth = 0;
   bool at_instant = false;  // said of components along other axes: it holds now, its derivatives do not
+  std::vector<SymbolId> along = {};  // x of `u(x) = A\cos qx + B`: the other letters are parameters
 };
 
 struct NamedAssumption {

@@ -340,6 +340,7 @@ BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracke
       return BracketPart::argument;
   }
   if (!holds_one_symbol(syntax, bracket) && !looks_like_argument(reading, symbol, bracket) &&
+      !applies_elsewhere(reading, function, bracket) &&
       (kind != SyntaxKind::tuple || symbol.face != Face::plain))
     return BracketPart::factor;
   reading.found.applied =
@@ -349,6 +350,20 @@ BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracke
                 fmt::format("`rigor: scalar {}` makes it a product",
                             one_symbol ? syntax.symbol(argument).letter : symbol.letter)}};
   return BracketPart::open;
+}
+
+std::vector<std::string> variables_of_definition(const Names& names, WrittenSymbol function) {
+  function.primes = 0;
+  function.dots = 0;
+  const auto symbol =
+      find_symbol(names.symbols, {with_labels(letter_with_marks(function), function.lower), 0, false});
+  const NamedDefinition* named = symbol ? definition_of(names.scope, *symbol) : nullptr;
+  std::vector<std::string> variables;
+  if (named == nullptr) return variables;
+  for (const SymbolId letter : named->along) {
+    if (const NameKey* key = key_of(names.symbols, letter)) variables.push_back(key->base);
+  }
+  return variables;
 }
 
 namespace {
@@ -366,9 +381,27 @@ std::string name_of_function(const Reading& reading, const Typed& of) {
   return reading.tree.symbols[derivation->base].name + std::string(derivation->by.size(), '\'');
 }
 
+/// `U(R)` of `U(r) = …`, where R is a quantity that is defined: the value there.
+bool is_value_at_what_is_defined(const Reading& reading, SyntaxId applied, SyntaxId bracket) {
+  const SyntaxTree& syntax = reading.syntax;
+  const SyntaxId function = without_derivatives(syntax, applied);
+  if (syntax[function].kind != SyntaxKind::symbol || syntax[bracket].kind != SyntaxKind::group) return false;
+  const SyntaxId argument = syntax.child(bracket, 0);
+  if (syntax[argument].kind != SyntaxKind::symbol) return false;
+  const WrittenSymbol& letter = syntax.symbol(argument);
+  const std::string name = with_labels(letter_with_marks(letter), letter.lower);
+  const Names& names = reading.names;
+  const auto symbol = find_symbol(names.symbols, {name, 0, false});
+  if (!symbol || definition_of(names.scope, *symbol) == nullptr) return false;
+  const std::vector<std::string> variables = variables_of_definition(names, syntax.symbol(function));
+  return variables.size() == 1 && variables.front() != name;
+}
+
 /// t of `x(t)`, as the section writes it; of what is dotted the time.
 std::vector<std::string> running_variables(const Reading& reading, const WrittenSymbol& function, SymbolId of,
                                            std::size_t count) {
+  auto defined = variables_of_definition(reading.names, function);
+  if (defined.size() == 1 && count == 1) return defined;
   WrittenSymbol bare = function;
   bare.primes = 0;
   bare.dots = 0;
@@ -429,6 +462,7 @@ std::vector<SyntaxChild> without_arguments(const Reading& reading, std::span<con
     const SyntaxChild& factor = factors[k];
     const bool only_shows = k > 0 && factor.joint == Joint::juxtaposed &&
                             is_argument(syntax, factors[k - 1].id, factor.id, evidence) &&
+                            !is_value_at_what_is_defined(reading, factors[k - 1].id, factor.id) &&
                             std::ranges::none_of(syntax.children(factor.id), is_declared_argument);
     if (!only_shows) kept.push_back(factor);
   }

@@ -45,8 +45,11 @@ MaybeTyped elaborate_kind(Reading& reading, SyntaxId id, const Around& around) {
     case SyntaxKind::number:
       return elaborate_number(reading, id);
     case SyntaxKind::symbol:
-      if (const auto variable = variable_of_primes(syntax.symbol(id), *reading.names.symbols.evidence))
-        return primed_derivative(reading, syntax.symbol(id), *variable, span, around);
+      if (const auto variable = variable_of_primes(syntax.symbol(id), *reading.names.symbols.evidence)) {
+        const auto defined = variables_of_definition(reading.names, syntax.symbol(id));
+        const std::string& by = defined.size() == 1 ? defined.front() : *variable;  // U'(R) of `U(r) = …`
+        return primed_derivative(reading, syntax.symbol(id), by, span, around);
+      }
       return elaborate_symbol(reading, syntax.symbol(id), span, around);
     case SyntaxKind::sum:
       return elaborate_sum(reading, id, around);

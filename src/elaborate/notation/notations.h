@@ -26,6 +26,8 @@ ReadPart elaborate_unit;                                            // unit.cpp
 
 /// A star, a bar over an expression, `\Re` or `\Im`.
 [[nodiscard]] bool is_part_of_complex(std::string_view function);
+/// r of `U(r) = …`, where that stands above, maybe in another section; primes and dots are passed over.
+[[nodiscard]] std::vector<std::string> variables_of_definition(const Names& names, WrittenSymbol function);
 /// The number that is written, also with a minus before it.
 [[nodiscard]] std::optional<int> whole_number(const SyntaxTree& syntax, SyntaxId id);
 /// `sin`, `tanh`, `exp`…, as quotients of sines, cosines and exponentials.
