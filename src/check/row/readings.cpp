@@ -83,6 +83,8 @@ void settle_in_both(RowPlace& place, const StepReading& row, const Claim& claim,
     if (row.asked != nullptr) row.asked->question.reset();  // that of the first reading
     return;
   }
+  // That a letter of its own is a length is not said, so nothing but a proof shows it.
+  if (!bracket && !claim.reading->found.belongs) return stated.resize(by_first);
   // A symbol of its own says the least, so its law is the one that is left.
   if (bracket) {
     stated.resize(by_first);

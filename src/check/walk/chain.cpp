@@ -30,7 +30,9 @@ std::unique_ptr<ChainReading> read_otherwise(Walk& walk, const ParsedChain& pars
   const bool orders =
       std::ranges::any_of(parsed.remainders, [](const auto& remainder) { return remainder.has_value(); });
   if (orders || !parsed.others.empty() || walk.request.only) return nullptr;
-  if (!found.applied) return found.belongs ? read_here(walk, parsed, {.apart = true}) : nullptr;
+  if (!found.applied && found.belongs) return read_here(walk, parsed, {.apart = true});
+  if (!found.applied)
+    return found.may_be_length ? read_here(walk, parsed, {.lengths_of_other_sections = true}) : nullptr;
   auto product = read_here(walk, parsed, {.open = OpenBracket::factor});
   reading = read_here(walk, parsed, {.apart = true, .open = OpenBracket::argument});
   return product;

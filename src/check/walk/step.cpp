@@ -124,7 +124,9 @@ void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& co
   }
   if (!decides(walk) && !may_rename) return;
   claim->explains = row.asked != nullptr;
-  claim->in_both_readings = row.other != nullptr;
+  const Reading::Found& found = claim->reading->found;
+  const bool two_readings = row.other != nullptr && (found.applied || found.belongs);
+  claim->in_both_readings = two_readings;
   if (open_bracket) return settle_in_both(place, row, *claim, judge_here(place, *claim), step);
   auto judgement = ask(place, row, *claim, step);
   if (!judgement) return;
@@ -133,7 +135,7 @@ void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& co
   if (may_part && is_open(*judgement) && takes_apart(walk, row.parsed, left, right, context, step)) return;
   const bool displayed = row.role == Role::display && row.which == 0;
   if (displayed && renames_cases(walk, *judgement, row.parsed, left, right, step)) return;
-  if (may_rename && row.other == nullptr &&
+  if (may_rename && !two_readings &&
       redefines(walk, *judgement, row.parsed, left, right, context, step))
     return;
   if (walk.request.reads) return;

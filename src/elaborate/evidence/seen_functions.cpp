@@ -461,9 +461,28 @@ std::set<std::string> with_what_is_tied(std::set<std::string> changing, const Ev
   return changing;
 }
 
+/// All that the section differentiates by, or writes functions of.
+std::set<std::string> all_variables(const Evidence& evidence) {
+  std::set<std::string> all;
+  for (const auto& [variable, functions] : evidence.by) all.insert(variable);
+  for (const auto& [function, variables] : evidence.running) all.insert(variables.begin(), variables.end());
+  return all;
+}
+
+/// `y''` beside `E(x) = \tfrac12y'^2 + \dots`: there is only one variable that the primes can mean.
+void see_what_primes_mean(Evidence& evidence) {
+  const std::set<std::string> variables = all_variables(evidence);
+  if (variables.size() != 1 || is_marked(*variables.begin())) return;
+  for (const std::string& name : evidence.primed) {
+    const bool applied = evidence.applied.contains(name);
+    if (!applied && name != *variables.begin()) evidence.by[*variables.begin()].insert(changing_name(name));
+  }
+}
+
 }  // namespace
 
 void settle_changes(Evidence& evidence) {
+  see_what_primes_mean(evidence);
   static constexpr std::string_view places[] = {"x", "y", "z", "r"};
   std::set<std::string> changing = evidence.changing;
   changing.insert(evidence.said_to_change.begin(), evidence.said_to_change.end());

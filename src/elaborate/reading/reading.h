@@ -50,6 +50,7 @@ struct ReadingRules {
   bool differentials = false;           // each term has one: `dU = T\,dS - p\,dV`
   bool divides_by_all = false;          // all that follows a slash: `e^2/4\pi\varepsilon_0`
   bool apart = false;                   // what can belong to a vector of this letter is a symbol of its own
+  bool lengths_of_other_sections = false;  // v beside a \mathbf v that another section defines
   OpenBracket open = OpenBracket::refused;
   std::optional<HoleShape> hole = {};  // nothing: a hole is not read
 };
@@ -94,6 +95,7 @@ struct Reading {
     std::optional<Span> dyad;              // bold letters side by side, which may be matrices
     std::optional<Obstacle> guess;         // see guess_of()
     std::optional<Obstacle> belongs;  // a letter was taken for a part of a vector: see ReadingRules::apart
+    bool may_be_length = false;       // as `ReadingRules::lengths_of_other_sections` would read it
     std::optional<Obstacle> applied;  // a bracket can be a factor or an argument: see OpenBracket
     std::vector<SymbolId> unknown_changes;  // differentiated though nothing says whether they change: such a
                                             // statement may be proved, never refuted

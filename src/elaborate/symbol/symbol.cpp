@@ -299,7 +299,13 @@ MaybeTyped length_or_scalar(Reading& reading, const Occurrence& at) {
   const Evidence& here = *names.symbols.evidence;
   const bool bold_here = name.base == "r" || !here.letters.contains(at.written.letter) ||
                          here.vectors.contains(letter_with_marks(at.written));
-  const bool bold_seen = (bold_here && names.symbols.sightings->bold.contains({name.base, particle})) ||
+  const bool bold_somewhere = names.symbols.sightings->bold.contains({name.base, particle});
+  const auto vector_elsewhere = find_symbol(names.symbols, {name.base, 1, particle});
+  const bool of_another_section = bold_somewhere && !bold_here && vector_elsewhere &&
+                                  definition_of(names.scope, *vector_elsewhere) != nullptr;
+  reading.found.may_be_length = reading.found.may_be_length || of_another_section;
+  const bool bold_seen = (bold_somewhere && bold_here) ||
+                         (of_another_section && reading.rules.lengths_of_other_sections) ||
                          is_declared(names.symbols, {name.base, 1, particle});
   const bool by_company = !bold_seen && at.written.lower.size() == name.particles.size() &&
                           reading.letters.indexed_vectors.contains(name.base);
