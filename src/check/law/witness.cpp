@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -50,7 +51,9 @@ class NonZero {
     const auto take = [&](ExprId expr) {
       if (auto condition = is_not_zero(expr)) conditions.push_back(*std::move(condition));
     };
-    for (const SymbolId letter : letters_) {
+    std::set<SymbolId> letters = letters_;
+    std::ranges::set_difference(differentiated_, inside_, std::inserter(letters, letters.end()));
+    for (const SymbolId letter : letters) {
       const Symbol symbol = tree_.symbols[letter];
       if (symbol.per_particle || symbol.rank > 1 || symbol.rotation || symbol.unit_of_measure) continue;
       if (zeros.contains(letter)) continue;
@@ -105,11 +108,17 @@ class NonZero {
     return written;
   }
 
-  /// Not those of an angle or an exponent: a sample has `\sin Q`, and no Q.
+  /// Not those of an angle or an exponent: a sample has `\sin Q`, and no Q, also beside `\ddot Q`.
   void add_letters(ExprId id) {
     const ExprNode& node = tree_[id];
-    if (node.op == Op::function) return;
-    if (node.op == Op::symbol) letters_.insert(base_of(tree_.symbols, node.symbol));
+    if (node.op == Op::function) {
+      for (const SymbolId inside : symbols_in(tree_, id)) inside_.insert(inside);
+      return;
+    }
+    if (node.op == Op::symbol) {
+      const bool rate = tree_.symbols[node.symbol].derivation.has_value();
+      (rate ? differentiated_ : letters_).insert(base_of(tree_.symbols, node.symbol));
+    }
     for (const ExprId child : tree_.children(id)) add_letters(child);
   }
 
@@ -156,6 +165,8 @@ class NonZero {
 
   ExprTree& tree_;
   std::set<SymbolId> letters_;
+  std::set<SymbolId> differentiated_;  // those that have a derivative there
+  std::set<SymbolId> inside_;          // of functions
   std::set<SymbolId> zero_;  // set equal to 0 as they stand
   std::set<ExprId> sides_;
   std::set<ExprId> angles_;  // sines and cosines of letters

@@ -437,7 +437,9 @@ void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evid
     const SyntaxId letter = letter_of_side(syntax, side);
     if (syntax[letter].kind != SyntaxKind::symbol || is_power_that_counts(syntax, side, sides)) continue;
     says_what_a_letter_is = true;
-    std::set<std::string>& tied = evidence.tied[changing_name(syntax.symbol(letter))];
+    const std::string name = changing_name(syntax.symbol(letter));
+    if (name.ends_with("_0")) continue;  // `L\dot I + RI = V_0`
+    std::set<std::string>& tied = evidence.tied[name];
     for (const SyntaxId other : sides) {
       if (other == side || is_value_at_a_number(syntax, other)) continue;
       tied.merge(free_letters(syntax, other));
