@@ -292,14 +292,20 @@ std::vector<ExprId> not_zero(const RowUnderLaws& row, const Laws& set) {
     return row.tree.is_zero_literal(equation.left) || row.tree.is_zero_literal(equation.right);
   };
   const bool row_vanishes = vanishes(row.claim.equation);
+  const auto is_product = [&](const Equation& equation) {
+    return signed_terms(row.tree, equation.left).size() == 1 && signed_terms(row.tree, equation.right).size() == 1;
+  };
   for (const PageLaw* law : set) {
-    if (vanishes(law->equation)) own.merge(base_letters(row.tree, row.names.scope, law->equation));
+    if (vanishes(law->equation) && is_product(law->equation))
+      own.merge(base_letters(row.tree, row.names.scope, law->equation));
     const ExprNode& left = row.tree[law->equation.left];
     if (left.op == Op::symbol) own.insert(left.symbol);  // the law says what it is
   }
   std::map<std::string, ExprId> divisors;
   for (const PageLaw* law : set) {
-    if (vanishes(law->equation) || (row_vanishes && !is_ansatz(row.tree, *law, set))) continue;
+    if ((vanishes(law->equation) && is_product(law->equation)) ||
+        (row_vanishes && !is_ansatz(row.tree, *law, set)))
+      continue;
     for (const ExprId divisor : divisors_of(row.tree, row.names.scope, law->equation, own)) {
       if (divisors.size() < most_not_zero) divisors.try_emplace(dump(row.tree, divisor), divisor);
     }

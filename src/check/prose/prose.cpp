@@ -364,6 +364,14 @@ class ProseReader {
     return sentence_.substr(begin, end - begin);
   }
 
+  /// "and $L = T - V$", directly behind a display: what that says goes on here.
+  bool goes_on_from_display() const {
+    if (word_before_mathematics() != "and") return false;
+    const std::size_t at = sentence_.rfind("and");
+    const std::size_t before = sentence_.find_last_not_of(' ', at - 1);
+    return at > 0 && before != std::string::npos && sentence_[before] == '\n';
+  }
+
   /// Commands of the text are no words; `\item`, `\begin` and `\par` end a sentence.
   std::size_t read_control(const std::string& text, std::size_t at) {
     std::size_t end = at + 1;
@@ -405,6 +413,7 @@ class ProseReader {
         prose_.said.back().cue = Cue::definition;  // "the reduced mass $\mu = …$"
         prose_.said.back().named = true;
       }
+      if (cue_ == Cue::none && goes_on_from_display()) prose_.said.back().cue = Cue::definition;
     }
     return end + (dollar ? 1 : 2);
   }
