@@ -510,6 +510,22 @@ bool turns_a_problem_down(const std::string& sentence) {
   return std::ranges::any_of(words_of(text), [](std::string_view word) { return is_one_of(word, words); });
 }
 
+/// "$$x' = \gamma(x - vt)$$ with $\gamma = …$": the letter stands in the display that it is said of.
+bool explains_its_display(const RowPlace& place, const SaidInLine& said,
+                          const std::set<std::string>& letter) {
+  const std::vector<ProseBeside>& beside = place.notes.prose.beside;
+  for (std::size_t k = std::min(said.before, beside.size());
+       k-- > 0 && beside[k].sentence == said.sentence;) {
+    const auto* display = std::get_if<ParsedDisplay>(&place.notes.events[k]);
+    if (display == nullptr) continue;
+    for (const ParsedChain& chain : display->chains) {
+      const std::set<std::string> written = letters_written_in(place.notes.syntax, chain.sides);
+      if (std::ranges::includes(written, letter)) return true;
+    }
+  }
+  return false;
+}
+
 /// x of `\ddot x` and `dx/dt` on the page.
 bool is_differentiated(const RowPlace& place, SymbolId letter) {
   const NameKey* key = key_of(place.names.symbols, letter);
@@ -538,10 +554,15 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
     const Equation& equation = claim->equation;
     const bool for_now = sets_letters_equal(place.tree, equation) || is_measured(place.tree, equation.right);
     const auto letter = letter_of_law(place.tree, equation);
-    // "With $N = a^\dagger a$" says what a new letter is; of a known one it may say a case.
-    const bool brings_in =
-        may_name && letter && sentence->has_display && is_said_for_good(place, said, *letter) &&
-        !seen_in_equation(place.names.scope, *letter) && definition_of(place.names.scope, *letter) == nullptr;
+    // "With $N = a^\dagger a$" says what a new letter is; of a known one it may say a case, but for "where".
+    const bool is_new =
+        letter &&
+        (!seen_in_equation(place.names.scope, *letter) ||
+         (!symbols_in(place.tree, equation.right).empty() &&
+          explains_its_display(place, said, letters_written_in(place.notes.syntax, {chain.sides[0]}))));
+    const bool brings_in = may_name && is_new && sentence->has_display &&
+                           is_said_for_good(place, said, *letter) &&
+                           definition_of(place.names.scope, *letter) == nullptr;
     const bool names = may_name && !for_now && letter && (said.named || brings_in) &&
                        !names_coordinates(place.tree, equation) && !keeps_an_operator(place, equation) &&
                        !names_a_surface(place, equation);

@@ -368,6 +368,7 @@ bool is_value_of_function(const SyntaxTree& syntax, SyntaxId term, const Evidenc
 /// An identity, with the same letters on both sides, a law of rates, a sum and an integral do not. Initial
 /// values follow nothing.
 void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+  static constexpr std::string_view of_states[] = {"N", "n", "R", "k", "k_B"};  // of `pV = NkT`: constants
   std::vector<std::set<std::string>> letters;
   for (const SyntaxId side : sides) {
     std::set<std::string>& own = letters.emplace_back();
@@ -380,7 +381,7 @@ void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
       if (kind != SyntaxKind::symbol) continue;
       if (syntax.symbol(id).dots > 0 || syntax.symbol(id).primes > 0) return;
       const std::string name = changing_name(syntax.symbol(id));
-      if (!name.ends_with("_0")) own.insert(name);
+      if (!name.ends_with("_0") && !is_one_of(name, of_states)) own.insert(name);
     }
   }
   if (letters.size() != 2 || letters[0] == letters[1]) return;
