@@ -18,6 +18,7 @@
 #include "check/question/integral_value.h"
 #include "check/question/running_letters.h"
 #include "elaborate/name/function_value.h"
+#include "elaborate/name/known_value.h"
 #include "expr/calculus/differentiate.h"
 
 namespace rigor {
@@ -28,13 +29,6 @@ constexpr int largest_order = 2 * most_rates + most_axes;
 
 /// This many derivatives compare the coefficients of an assumption at all times or places.
 constexpr int most_compared = 3;
-
-/// A definition that the notes give, or that follows for a derivative.
-struct FoundDefinition {
-  Definition definition;
-  const Origin* origin;
-  bool at_instant;
-};
 
 class Preparation {
  public:
@@ -73,6 +67,11 @@ class Preparation {
     prepared_.has_rates_or_times = has_rate() || has_rule() || speaks_of_time_or_place();
     if (slack_ > 0) prepared_.unmatched = unmatched_assumption(tree_, names_, prepared_);
     return std::move(prepared_);
+  }
+
+  std::optional<FoundDefinition> value_of(SymbolId symbol, const Equation& claim) {
+    prepared_.question.claim = claim;
+    return definition_of(symbol, 0);
   }
 
  private:
@@ -200,8 +199,13 @@ class Preparation {
     const auto& values = names_.symbols.function_values;
     if (const auto value = values.find(symbol); value != nullptr) {
       derived_[symbol] = std::nullopt;  // y(0) of `y = y(0)e^{kx}` says nothing of itself
-      result = at_value(symbol, value->second, depth);
+      const auto of = definition_of(value->second.of, depth + 1);
+      if (of) result = value_of_function(tree_, names_, symbol, value->second, *of, known_values());
       return derived_[symbol] = result;
+    }
+    if (const auto member = membership_of(names_, symbol)) {
+      derived_[symbol] = std::nullopt;  // E_1 of `E_n = n^2E_1` is any number
+      return derived_[symbol] = value_of_member(tree_, names_, symbol, *member, known_values());
     }
     if (const auto& integral = tree_.symbols[symbol].integral) {
       derived_[symbol] = std::nullopt;
@@ -222,35 +226,6 @@ class Preparation {
     }
     derived_[symbol] = result;
     return result;
-  }
-
-  /// x(0) of `x(t) = A\cos\omega t`: what the function is, with the value in the place of the variable.
-  std::optional<FoundDefinition> at_value(SymbolId symbol, const FunctionValue& value, int depth) {
-    const auto of = definition_of(value.of, depth + 1);
-    if (!of || of->at_instant || of->definition.by_square || !of->definition.indices.empty() ||
-        of->definition.particle != no_particle || value.variables.size() != value.at.size())
-      return std::nullopt;
-    std::map<SymbolId, ExprId> at;
-    for (std::size_t k = 0; k < value.at.size(); ++k) {
-      const auto variable = find_symbol(names_.symbols, {value.variables[k], 0, false});
-      if (!variable) return std::nullopt;
-      at.emplace(*variable, value.at[k]);
-    }
-    const auto body = opened(of->definition.body);
-    if (!body) return std::nullopt;
-    const bool in_time = value.variables == std::vector<std::string>{"t"};
-    for (const SymbolId each : symbols_in(tree_, *body)) {
-      const bool runs = may_run(each, in_time) && !is_declared_constant(names_.scope, each);
-      if (!at.contains(each) && (runs || tree_.symbols[each].integral)) return std::nullopt;
-    }
-    FoundDefinition result = *of;
-    result.definition.symbol = symbol;
-    result.definition.body = replaced(tree_, *body, [&](ExprId id) -> std::optional<ExprId> {
-      const auto found = at.find(tree_[id].symbol);
-      return found == at.end() ? std::nullopt : std::optional(found->second);
-    });
-    const bool circular = is_one_of(symbol, symbols_in(tree_, result.definition.body));
-    return circular ? std::nullopt : std::optional(std::move(result));
   }
 
   // --- integrals
@@ -361,6 +336,12 @@ class Preparation {
     prepared_.exists_under = prepared_.question.assumptions.size();
     for (const Equation& condition : conditions_) push(condition, nullptr);
     if (conditions_.empty()) prepared_.exists_under.reset();
+  }
+
+  KnownValues known_values() {
+    return {.open = [this](ExprId body) { return opened(body); },
+            .may_run = [this](SymbolId each, bool in_time) { return may_run(each, in_time); },
+            .claim = prepared_.question.claim};
   }
 
   /// With its definitions put in; nothing where they go too deep, or are of components. What an integral runs
@@ -685,6 +666,15 @@ class Preparation {
 Prepared prepare(ExprTree& tree, const Names& names, const Equation& claim, int slack, Precision precision,
                  int order, std::span<const ExprId> also) {
   return Preparation(tree, names, slack, precision, order).prepare(claim, also);
+}
+
+void define_members(ExprTree& tree, Names& names, const Equation& equation) {
+  for (const SymbolId each : symbols_reached(tree, names.scope, {equation.left, equation.right})) {
+    const SymbolId base = base_of(tree.symbols, each);
+    if (definition_of(names.scope, base) != nullptr || !membership_of(names, base)) continue;
+    const auto found = Preparation(tree, names, 0, Precision::exact, 0).value_of(base, equation);
+    if (found) define(names.scope, {found->definition, *found->origin, 0, found->at_instant});
+  }
 }
 
 bool speaks_of_derivatives(const Prepared& prepared) { return prepared.has_rates_or_times; }

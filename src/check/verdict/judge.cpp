@@ -26,6 +26,7 @@
 #include "check/verdict/other_reading.h"
 #include "check/verdict/rational_expression.h"
 #include "check/verdict/two_outcomes.h"
+#include "elaborate/name/known_value.h"
 
 namespace rigor {
 namespace {
@@ -557,6 +558,8 @@ class Judging {
 
   /// `outcomes`: that show it, if it is about averages.
   void weigh_as_identity(const Decision& decision, const std::string& outcomes = {}) {
+    const std::vector<SymbolId> members = members_in(prepared_.question, tree_, names_);
+    if (!claim_.for_all && !members.empty()) return state_law_of(members);
     std::vector<SymbolId> law;
     if (!claim_.for_all) law = law_symbols(prepared_.question, names_.scope, restates_definition(), cache_);
     const bool order = claim_.equation.relation != Relation::equal;
