@@ -673,7 +673,14 @@ Judgement judge(ExprTree& tree, const Names& names, const Claim& claim, const Li
 
 Judgement judge_at_once(ExprTree& tree, const Names& names, const Claim& claim, const Limits& limits,
                         DecisionCache* cache) {
-  if (claim.derived_by.empty()) return Judging(tree, names, claim, limits, cache).judge();
+  if (claim.derived_by.empty()) {
+    Judgement judgement = Judging(tree, names, claim, limits, cache).judge();
+    if (judgement.verdict != Verdict::law || names.scope.families.empty() || limits.only_proofs)
+      return judgement;
+    // What fails whatever the members of families are is refuted without them.
+    Judgement without = Judging(tree, without_members(names), claim, limits, cache).judge();
+    return without.verdict == Verdict::refuted ? without : judgement;
+  }
   // The derivatives are meant for every value of the variable, whatever it is elsewhere: `t = 5`.
   Names free = names;
   if (const auto variable = find_symbol(names.symbols, {claim.derived_by, 0, false}))
