@@ -179,7 +179,14 @@ void see_families(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, 
     return symbol.letter == letter && symbol.lower.empty() && symbol.face == Face::plain &&
            symbol.accent == Accent::none && symbol.primes == 0 && symbol.dots == 0;
   });
-  if (counts) evidence.counters.insert(letter);
+  // A counter above a letter may be no power: n of `2^n` stays as it is read without this row.
+  const bool above = std::ranges::any_of(nodes_below(syntax, sides), [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::power) return false;
+    return std::ranges::any_of(nodes_below(syntax, {syntax.child(id, 1)}), [&](SyntaxId each) {
+      return syntax[each].kind == SyntaxKind::symbol && syntax.symbol(each).letter == letter;
+    });
+  });
+  if (counts && !above) evidence.counters.insert(letter);
 }
 
 void see_counting(std::string_view text, bool prose, Evidence& evidence) {
