@@ -474,7 +474,8 @@ bool is_meant_for_all(const ExprTree& tree, const Names& names, const Claim& cla
 }
 
 bool is_said_for(const Standpoint& at, const Origin& origin) {
-  if (origin.on_its_line || (origin.conditional && origin.event != at.event)) return false;
+  const bool restricted = origin.on_its_line && !origin.only_counts;
+  if (restricted || (origin.conditional && origin.event != at.event)) return false;
   return at.prose.sections.reaches(origin.place, at.beside().place);
 }
 

@@ -134,7 +134,7 @@ bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedD
   const Origin& origin = named.origin;
   if (origin.event == at.event) return false;
   const bool anew = is_one_of(named.definition.symbol, at.said_anew);
-  if (origin.on_its_line || anew) return true;
+  if ((origin.on_its_line && !origin.only_counts) || anew) return true;
   const Prose& prose = at.prose;
   const ProseBeside& said = prose.beside[origin.event];
   const CaseSaid of_case = case_said_at(prose, origin.event, lowered(origin.section));

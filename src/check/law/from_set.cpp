@@ -20,6 +20,7 @@
 #include "check/question/decision_cache.h"
 #include "check/question/granted.h"
 #include "check/question/question.h"
+#include "check/question/question_names.h"
 #include "check/verdict/law_diagnostic.h"
 #include "expr/print/print_latex.h"
 
@@ -293,7 +294,8 @@ std::vector<ExprId> not_zero(const RowUnderLaws& row, const Laws& set) {
   };
   const bool row_vanishes = vanishes(row.claim.equation);
   const auto is_product = [&](const Equation& equation) {
-    return signed_terms(row.tree, equation.left).size() == 1 && signed_terms(row.tree, equation.right).size() == 1;
+    return signed_terms(row.tree, equation.left).size() == 1 &&
+           signed_terms(row.tree, equation.right).size() == 1;
   };
   for (const PageLaw* law : set) {
     if (vanishes(law->equation) && is_product(law->equation))
@@ -349,11 +351,7 @@ std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, 
     const Decision decision = decide(row.cache, prepared.question, limits_of_proofs);
     if (decision.outcome == Outcome::proved) {
       std::vector<std::string> used;
-      for (std::size_t k = 0; k < prepared.definitions.size(); ++k) {
-        if (!is_one_of(prepared.question.definitions[k].symbol, decision.unfolded)) continue;
-        used.push_back(prepared.definitions[k]->text);
-        for (const Origin* put_in : prepared.put_in[k]) used.push_back(put_in->text);
-      }
+      for (const Origin* each : origins_of(prepared, decision.unfolded)) used.push_back(each->text);
       for (const std::size_t which : decision.assumptions) {
         if (const NamedAssumption* named = prepared.assumptions[which]) used.push_back(named->origin.text);
       }

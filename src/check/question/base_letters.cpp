@@ -70,6 +70,15 @@ std::optional<Variable> only_letter_differentiated_by(const ExprTree& tree,
   return found;
 }
 
+bool has_rates(const ExprTree& tree, const std::vector<Equation>& equations,
+               const std::optional<Variable>& letter) {
+  const auto is_rate = [&](SymbolId symbol) { return orders_of(tree.symbols[symbol], letter).total() > 0; };
+  return std::ranges::any_of(equations, [&](const Equation& equation) {
+    return std::ranges::any_of(symbols_in(tree, equation.left), is_rate) ||
+           std::ranges::any_of(symbols_in(tree, equation.right), is_rate);
+  });
+}
+
 bool is_joined(const ExprTree& tree, const NameScope& scope, const Equation& equation) {
   const ExprNode& left = tree[equation.left];
   if (equation.relation != Relation::equal || left.op != Op::symbol || left.slot_count != 1) return false;

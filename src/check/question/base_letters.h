@@ -45,6 +45,10 @@ struct Orders {
   return {symbol.order(By::time), symbol.order(By::space), letter ? symbol.order(*letter) : 0};
 }
 
+/// Is anything differentiated in one of them?
+[[nodiscard]] bool has_rates(const ExprTree& tree, const std::vector<Equation>& equations,
+                             const std::optional<Variable>& letter);
+
 /// One of three rules for the components of a derivative, which make a definition together.
 [[nodiscard]] bool is_joined(const ExprTree& tree, const NameScope& scope, const Equation& equation);
 

@@ -18,6 +18,7 @@
 #include "check/question/integral_value.h"
 #include "check/question/running_letters.h"
 #include "elaborate/name/function_value.h"
+#include "elaborate/name/known_value.h"
 #include "expr/calculus/differentiate.h"
 
 namespace rigor {
@@ -28,15 +29,6 @@ constexpr int largest_order = 2 * most_rates + most_axes;
 
 /// This many derivatives compare the coefficients of an assumption at all times or places.
 constexpr int most_compared = 3;
-
-/// A definition that the notes give, or that follows for a derivative.
-struct FoundDefinition {
-  Definition definition;
-  const Origin* origin;
-  bool at_instant;
-  std::vector<const Origin*> put_in = {};  // definitions
-  std::vector<SymbolId> along = {};        // as `NamedDefinition` has it
-};
 
 class Preparation {
  public:
@@ -72,9 +64,15 @@ class Preparation {
     add_conditions();
     prepared_.too_large = budget_.exceeded;
     prepared_.made = DerivativeBudget().nodes - budget_.nodes;
-    prepared_.has_rates_or_times = has_rate() || has_rule() || speaks_of_time_or_place();
+    prepared_.has_rates_or_times =
+        has_rates(tree_, prepared_.question.assumptions, letter_) || has_rule() || speaks_of_time_or_place();
     if (slack_ > 0) prepared_.unmatched = unmatched_assumption(tree_, names_, prepared_);
     return std::move(prepared_);
+  }
+
+  std::optional<FoundDefinition> value_of(SymbolId symbol, const Equation& claim) {
+    prepared_.question.claim = claim;
+    return definition_of(symbol, 0);
   }
 
  private:
@@ -141,15 +139,6 @@ class Preparation {
 
   // --- times and places
 
-  [[nodiscard]] bool has_rate() const {
-    const auto is_rate = [this](SymbolId symbol) { return orders_of(symbol).total() > 0; };
-    return std::ranges::any_of(prepared_.question.assumptions, [&](const Equation& equation) {
-      const std::vector<SymbolId> right = symbols_in(tree_, equation.right);
-      return std::ranges::any_of(symbols_in(tree_, equation.left), is_rate) ||
-             std::ranges::any_of(right, is_rate);
-    });
-  }
-
   [[nodiscard]] bool speaks_of_time_or_place() {
     return std::ranges::any_of(prepared_.assumptions, [this](const NamedAssumption* named) {
       return named != nullptr &&
@@ -201,12 +190,19 @@ class Preparation {
     if (const auto known = derived_.find(symbol); known != derived_.end()) return known->second;
     std::optional<FoundDefinition> result;
     const auto* value = names_.symbols.function_values.find(symbol);
-    if (const auto& integral = tree_.symbols[symbol].integral; value != nullptr || integral) {
-      derived_[symbol] = std::nullopt;  // y(0) of `y = y(0)e^{kx}` says nothing of itself
+    const auto member = value == nullptr ? membership_of(names_, symbol) : std::nullopt;
+    if (const auto& integral = tree_.symbols[symbol].integral; value != nullptr || member || integral) {
+      derived_[symbol] =
+          std::nullopt;  // y(0) of `y = y(0)e^{kx}` says nothing of itself, nor E_1 of `n^2E_1`
       std::vector<const Origin*> around = std::exchange(put_in_, {});
-      result = value != nullptr    ? at_value(symbol, value->second, depth)
-               : integral->average ? of_average(symbol)
-                                   : of_integral(symbol);
+      if (value != nullptr) {
+        const auto of = definition_of(value->second.of, depth + 1);
+        if (of) result = value_of_function(tree_, names_, symbol, value->second, *of, known_values());
+      } else {
+        result = member              ? value_of_member(tree_, names_, symbol, *member, known_values())
+                 : integral->average ? of_average(symbol)
+                                     : of_integral(symbol);
+      }
       std::swap(around, put_in_);
       if (result) result->put_in = std::move(around);
       return derived_[symbol] = result;
@@ -226,41 +222,6 @@ class Preparation {
     }
     derived_[symbol] = result;
     return result;
-  }
-
-  /// x(0) of `x(t) = A\cos\omega t`: what the function is, with the value in the place of the variable.
-  std::optional<FoundDefinition> at_value(SymbolId symbol, const FunctionValue& value, int depth) {
-    const auto of = definition_of(value.of, depth + 1);
-    if (!of || of->at_instant || of->definition.by_square || !of->definition.indices.empty() ||
-        of->definition.particle != no_particle || value.variables.size() != value.at.size())
-      return std::nullopt;
-    std::map<SymbolId, ExprId> at;
-    for (std::size_t k = 0; k < value.at.size(); ++k) {
-      const auto variable = find_symbol(names_.symbols, {value.variables[k], 0, false});
-      if (!variable) return std::nullopt;
-      at.emplace(*variable, value.at[k]);
-    }
-    const bool in_time = value.variables == std::vector<std::string>{"t"};
-    const auto is_held = [&](SymbolId each) {
-      return std::ranges::all_of(at, [&](const auto& entry) {
-        const Variable by = in_time ? Variable(By::time) : Variable(By::letter, entry.first);
-        return is_parameter(names_, tree_, each, by, along_which(names_, of->along, by));
-      });
-    };
-    const auto body = opened(of->definition.body, {}, is_held);
-    if (!body) return std::nullopt;
-    for (const SymbolId each : symbols_in(tree_, *body)) {
-      const bool runs = may_run(each, in_time) && !is_declared_constant(names_.scope, each) && !is_held(each);
-      if (!at.contains(each) && (runs || tree_.symbols[each].integral)) return std::nullopt;
-    }
-    FoundDefinition result = *of;
-    result.definition.symbol = symbol;
-    result.definition.body = replaced(tree_, *body, [&](ExprId id) -> std::optional<ExprId> {
-      const auto found = at.find(tree_[id].symbol);
-      return found == at.end() ? std::nullopt : std::optional(found->second);
-    });
-    const bool circular = is_one_of(symbol, symbols_in(tree_, result.definition.body));
-    return circular ? std::nullopt : std::optional(std::move(result));
   }
 
   // --- integrals
@@ -373,17 +334,26 @@ class Preparation {
     if (conditions_.empty()) prepared_.exists_under.reset();
   }
 
-  /// With its definitions put in, but of what `is_held`; nothing where they go too deep, or are of
+  KnownValues known_values() {
+    return {.open = [this](ExprId body, const IsHeld& held) { return opened(body, {}, held); },
+            .may_run = [this](SymbolId each, bool in_time) { return may_run(each, in_time); },
+            .is_held =
+                [this](const FoundDefinition& of, SymbolId each, const Variable& by) {
+                  return is_parameter(names_, tree_, each, by, along_which(names_, of.along, by));
+                },
+            .claim = prepared_.question.claim};
+  }
+
+  /// With its definitions put in, but of what is `held`; nothing where they go too deep, or are of
   /// components. What an integral runs over is `bound`, whatever else its letter means.
-  std::optional<ExprId> opened(ExprId body, std::optional<SymbolId> bound = {},
-                               const std::function<bool(SymbolId)>& is_held = {}) {
+  std::optional<ExprId> opened(ExprId body, std::optional<SymbolId> bound = {}, const IsHeld& held = {}) {
     constexpr int deepest = 8;                // definitions of definitions; a circle is none
     constexpr std::uint32_t largest = 4'000;  // nodes
     for (int k = 0; k < deepest && tree_[body].weight < largest; ++k) {
       bool plain = true;
       const ExprId next = replaced(tree_, body, [&](ExprId id) -> std::optional<ExprId> {
         const SymbolId symbol = tree_[id].symbol;
-        if (bound == symbol || (is_held && is_held(symbol))) return std::nullopt;
+        if (bound == symbol || (held && held(symbol))) return std::nullopt;
         const auto of = definition_of(symbol, 1);
         if (!of) return std::nullopt;
         const bool whole = of->definition.indices.empty() && of->definition.particle == no_particle &&
@@ -463,8 +433,7 @@ class Preparation {
   }
 
   void note_unknown(SymbolId symbol) {
-    auto& unknown = prepared_.unknown_changes;
-    if (!is_one_of(symbol, unknown)) unknown.push_back(symbol);
+    if (!is_one_of(symbol, prepared_.unknown_changes)) prepared_.unknown_changes.push_back(symbol);
   }
 
   void note_parameter(SymbolId symbol, const std::vector<SymbolId>& along) {
@@ -714,6 +683,15 @@ class Preparation {
 Prepared prepare(ExprTree& tree, const Names& names, const Equation& claim, int slack, Precision precision,
                  int order, std::span<const ExprId> also) {
   return Preparation(tree, names, slack, precision, order).prepare(claim, also);
+}
+
+void define_members(ExprTree& tree, Names& names, const Equation& equation) {
+  for (const SymbolId each : symbols_reached(tree, names.scope, {equation.left, equation.right})) {
+    const SymbolId base = base_of(tree.symbols, each);
+    if (definition_of(names.scope, base) != nullptr || !membership_of(names, base)) continue;
+    const auto found = Preparation(tree, names, 0, Precision::exact, 0).value_of(base, equation);
+    if (found) define(names.scope, {found->definition, *found->origin, 0, found->at_instant});
+  }
 }
 
 bool speaks_of_derivatives(const Prepared& prepared) { return prepared.has_rates_or_times; }

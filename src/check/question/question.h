@@ -48,6 +48,9 @@ enum class Precision : std::uint8_t { exact, small_order };
                                Precision precision = Precision::exact, int order = 0,
                                std::span<const ExprId> also = {});
 
+/// The members of families that the equation speaks of are defined, in names that are a copy.
+void define_members(ExprTree& tree, Names& names, const Equation& equation);
+
 /// Do the assumptions that bear on a question speak of derivatives, times or places, so that more slack may
 /// show more?
 [[nodiscard]] bool speaks_of_derivatives(const Prepared& prepared);

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <vector>
+
+#include "base/among.h"
 
 namespace rigor {
 namespace {
@@ -49,6 +52,16 @@ QuestionNames names_of(const Prepared& prepared) {
   for (std::size_t k = 0; k < prepared.assumptions.size(); ++k)
     names.assumptions.push_back(name_of(tree, prepared.question.assumptions[k], prepared.assumptions[k]));
   return names;
+}
+
+std::vector<const Origin*> origins_of(const Prepared& prepared, const std::vector<SymbolId>& unfolded) {
+  std::vector<const Origin*> origins;
+  for (std::size_t k = 0; k < prepared.definitions.size(); ++k) {
+    if (!is_one_of(prepared.question.definitions[k].symbol, unfolded)) continue;
+    origins.push_back(prepared.definitions[k]);
+    origins.insert(origins.end(), prepared.put_in[k].begin(), prepared.put_in[k].end());
+  }
+  return origins;
 }
 
 std::string name_of_zero(const ExprTree& tree, SymbolId symbol) {

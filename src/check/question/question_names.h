@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "check/question/question.h"
 #include "expr/statement/question_names.h"
@@ -15,5 +16,9 @@ namespace rigor {
 
 /// Why a symbol is 0 that nothing defines: what it is a derivative of does not change.
 [[nodiscard]] std::string name_of_zero(const ExprTree& tree, SymbolId symbol);
+
+/// Where the definitions come from that were unfolded, and what was put into these.
+[[nodiscard]] std::vector<const Origin*> origins_of(const Prepared& prepared,
+                                                    const std::vector<SymbolId>& unfolded);
 
 }  // namespace rigor

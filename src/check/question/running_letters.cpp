@@ -17,7 +17,7 @@ namespace {
 /// t of `t'` and `t_1`.
 std::string without_marks(const std::string& letter) { return letter.substr(0, letter.find_first_of("_^'")); }
 
-bool has_rates(const ExprTree& tree, const std::vector<SymbolId>& symbols) {
+bool has_rates_in_time(const ExprTree& tree, const std::vector<SymbolId>& symbols) {
   return std::ranges::any_of(symbols, [&](SymbolId each) { return tree.symbols[each].order(By::time) > 0; });
 }
 
@@ -136,7 +136,7 @@ bool is_parameter(const Names& names, const ExprTree& tree, SymbolId symbol, con
   if (own == nullptr || along.empty()) return false;
   if (tree.symbols[symbol].derivation || is_function_value(names, tree, symbol)) return false;
   if (const auto body = body_of_definition(names.scope, symbol))
-    return by.by == By::letter && has_rates(tree, symbols_reached(tree, names.scope, {*body}));
+    return by.by == By::letter && has_rates_in_time(tree, symbols_reached(tree, names.scope, {*body}));
   const bool changes_in_time =
       by == By::time && (evidence.speaks_of_change || is_changing(evidence, own->base));
   return !changes_in_time && !evidence.primed.contains(own->base) &&

@@ -16,6 +16,7 @@
 #include "check/question/decision_cache.h"
 #include "check/repair/missing_condition.h"
 #include "check/repair/trivial_statement.h"
+#include "elaborate/name/family.h"
 #include "expr/tree/same_expression.h"
 
 namespace rigor {
@@ -171,7 +172,8 @@ class Suspecting {
       auto letters = base_letters(tree_, names_.scope, Equation{.left = side, .right = side});
       std::erase_if(letters, [&](SymbolId each) {
         const Symbol& symbol = tree_.symbols[each];
-        return symbol.integral.has_value() || (operators && !symbol.noncommuting);
+        return symbol.integral.has_value() || (operators && !symbol.noncommuting) ||
+               (definition_of(names_.scope, each) != nullptr && membership_of(names_, each));
       });
       return letters;
     };

@@ -36,6 +36,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, std:
       see_differentials(notes.syntax, side, evidence);
       see_subscripts(notes.syntax, side, evidence);
     }
+    see_families(notes.syntax, chain.sides, evidence);
     see_components(notes.syntax, chain.sides, evidence);
     see_matrices(notes.syntax, chain.sides, chain.written, evidence);
     see_ties(notes.syntax, chain.sides, evidence);
@@ -66,6 +67,7 @@ void see_between(const SourceMap& sources, Span before, Span behind, Evidence& e
   see_said_operators(text, evidence);
   see_said_unsized_matrices(text, evidence);
   see_said_averages(text, evidence);
+  see_counting(text, true, evidence);
 }
 
 }  // namespace
@@ -95,6 +97,8 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes, std::
         see_said_averages(title->title, evidence);
       }
       last = place;
+      if (std::holds_alternative<ParsedDisplay>(notes.events[k]) && place.file == notes.file)
+        see_counting(sources.text(place), false, evidence);
       if (const auto* display = std::get_if<ParsedDisplay>(&notes.events[k]))
         see_chains(notes, display->chains, without, evidence);
       if (const auto* placed = std::get_if<PlacedDirective>(&notes.events[k])) {

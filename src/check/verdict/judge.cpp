@@ -26,6 +26,7 @@
 #include "check/verdict/other_reading.h"
 #include "check/verdict/rational_expression.h"
 #include "check/verdict/two_outcomes.h"
+#include "elaborate/name/known_value.h"
 
 namespace rigor {
 namespace {
@@ -152,9 +153,8 @@ class Judging {
   /// Unless it is the last word, nobody asks what refutes it.
   Decision decide_prepared(bool last) {
     for (const Origin* definition : prepared_.definitions) mark_used(*definition);
-    for (const auto& put_in : prepared_.put_in) {
+    for (const auto& put_in : prepared_.put_in)
       for (const Origin* definition : put_in) mark_used(*definition);
-    }
     if (prepared_.too_large) {
       Decision open;
       open.reason = *prepared_.too_large;
@@ -257,13 +257,7 @@ class Judging {
   }
 
   void note_uses(const Decision& decision) {
-    for (std::size_t k = 0; k < prepared_.definitions.size(); ++k) {
-      const auto& unfolded = decision.unfolded;
-      const SymbolId symbol = prepared_.question.definitions[k].symbol;
-      if (!is_one_of(symbol, unfolded)) continue;
-      add_use(prepared_.definitions[k]->text);
-      for (const Origin* put_in : prepared_.put_in[k]) add_use(put_in->text);
-    }
+    for (const Origin* each : origins_of(prepared_, decision.unfolded)) add_use(each->text);
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) add_use(prepared_.assumptions[which]->origin.text);
     }
@@ -562,6 +556,8 @@ class Judging {
 
   /// `outcomes`: that show it, if it is about averages.
   void weigh_as_identity(const Decision& decision, const std::string& outcomes = {}) {
+    const std::vector<SymbolId> members = members_in(prepared_.question, tree_, names_);
+    if (!claim_.for_all && !members.empty()) return state_law_of(members);
     std::vector<SymbolId> law;
     if (!claim_.for_all) law = law_symbols(prepared_.question, names_.scope, restates_definition(), cache_);
     const bool order = claim_.equation.relation != Relation::equal;
@@ -675,7 +671,14 @@ Judgement judge(ExprTree& tree, const Names& names, const Claim& claim, const Li
 
 Judgement judge_at_once(ExprTree& tree, const Names& names, const Claim& claim, const Limits& limits,
                         DecisionCache* cache) {
-  if (claim.derived_by.empty()) return Judging(tree, names, claim, limits, cache).judge();
+  if (claim.derived_by.empty()) {
+    Judgement judgement = Judging(tree, names, claim, limits, cache).judge();
+    if (judgement.verdict != Verdict::law || names.scope.families.empty() || limits.only_proofs)
+      return judgement;
+    // What fails whatever the members of families are is refuted without them.
+    Judgement without = Judging(tree, without_members(names), claim, limits, cache).judge();
+    return without.verdict == Verdict::refuted ? without : judgement;
+  }
   // The derivatives are meant for every value of the variable, whatever it is elsewhere: `t = 5`.
   Names free = names;
   if (const auto variable = find_symbol(names.symbols, {claim.derived_by, 0, false}))

@@ -17,6 +17,7 @@
 #include "check/scope/definition.h"
 #include "check/verdict/antiderivatives.h"
 #include "check/word/prose_words.h"
+#include "elaborate/name/family.h"
 #include "elaborate/name/function_value.h"
 
 namespace rigor {
@@ -83,6 +84,8 @@ void add_definition(Walk& walk, const Typed& left, const Typed& right, const Par
   origin.on_its_line =
       context.role == Role::display &&
       (parsed.written.doubt || !conditions_beside(here, parsed).empty() || is_one_of_the_cases(here, parsed));
+  origin.only_counts = parsed.written.only_counts && counts_with(walk.names, definition->symbol) &&
+                       conditions_beside(here, parsed).empty() && !is_one_of_the_cases(here, parsed);
   origin.of_a_case = context.role == Role::display && is_of_a_case(here);
   if (is_declared_constant(walk.names.scope, definition->symbol) && decides(walk) &&
       definition_contradicts(walk.tree, walk.names, *definition)) {
@@ -95,8 +98,11 @@ void add_definition(Walk& walk, const Typed& left, const Typed& right, const Par
     return;
   }
   assume_rules_above(walk, definition->symbol);
+  const bool general =
+      !origin.conditional && (!origin.on_its_line || origin.only_counts) && !origin.of_a_case;
   define(walk.names.scope,
          {*definition, std::move(origin), 0, false, runs_along(walk.names, walk.tree, *definition)});
+  if (general) note_family(walk.names, definition->symbol);
   if (!walk.names.scope.small.empty() && decides(walk))
     compare_orders(walk, as_equation(walk.tree, *definition), step.relation_span, step.diagnostics);
   step.verdict = Verdict::definition;

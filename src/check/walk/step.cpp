@@ -12,9 +12,11 @@
 #include "check/doubt/named_elements.h"
 #include "check/doubt/row_doubts.h"
 #include "check/question/decision_cache.h"
+#include "check/question/question.h"
 #include "check/question/unread.h"
 #include "check/row/row.h"
 #include "check/scope/definition.h"
+#include "elaborate/name/family.h"
 
 namespace rigor {
 namespace {
@@ -90,6 +92,32 @@ bool may_define(const Walk& walk, const RowPlace& place, const StepReading& row)
          !shows_circle_number(walk.tree, walk.names, *row.left().typed, *row.right().typed);
 }
 
+/// `E_{2n} = 4E_n`, where the letter shows that no other quantity is meant.
+bool speaks_of_family(const Walk& walk, const Typed& left) {
+  const ExprNode& node = walk.tree[left.id];
+  if (node.op != Op::symbol || definition_of(walk.names.scope, node.symbol) != nullptr) return false;
+  const auto member = membership_of(walk.names, node.symbol);
+  return member && member->name.letters.contains(member->family.letter);
+}
+
+/// `E_1 = \epsilon` below `E_n = n^2\epsilon`. What does not follow may say what another quantity is.
+bool follows_from_family(Walk& walk, RowPlace& place, StepReading& row, Step& step) {
+  const ExprNode& left = walk.tree[row.left().typed->id];
+  if (row.role != Role::display || !decides(walk) || left.op != Op::symbol ||
+      definition_of(walk.names.scope, left.symbol) != nullptr || !membership_of(walk.names, left.symbol))
+    return false;
+  Diagnostics mismatches;
+  auto claim = row.reading.claim(row.parsed, row.which, row.first_order, mismatches);
+  if (!claim) return false;
+  claim->recorded = row.recorded = recorded_of(walk, step);
+  claim->explains = row.asked != nullptr;
+  define_members(walk.tree, place.names, claim->equation);
+  Judgement judgement = judge_here(place, *claim);
+  if (judgement.verdict != Verdict::proved) return false;
+  if (!walk.request.reads) settle(place, row, *claim, std::move(judgement), step);
+  return true;
+}
+
 /// Both sides are read.
 void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& context, Step& step) {
   const Typed& left = *row.left().typed;
@@ -101,7 +129,9 @@ void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& co
     return;
   }
   const bool open_bracket = row.reading.reading().found.applied.has_value();
-  if (!row.unsettled && !open_bracket && may_name &&
+  if (!row.unsettled && !open_bracket && may_name && follows_from_family(walk, place, row, step)) return;
+  const bool names_member = row.role == Role::display && decides(walk) && speaks_of_family(walk, left);
+  if (!row.unsettled && !open_bracket && may_name && !names_member &&
       defines(walk, row.parsed, row.left(), row.right(), context, step))
     return;
   const bool bare_square = walk.tree[left.id].op == Op::power &&
@@ -123,6 +153,7 @@ void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& co
     return;
   }
   if (!decides(walk) && !may_rename) return;
+  define_members(walk.tree, place.names, claim->equation);
   claim->explains = row.asked != nullptr;
   const Reading::Found& found = claim->reading->found;
   const bool two_readings = row.other != nullptr && (found.applied || found.belongs);
@@ -239,6 +270,9 @@ void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainRe
                                 {"`rigor: claim …` asks whether it holds for the numbers"}});
   } else if (row.left().typed && row.right().typed) {
     follow_row(walk, place, row, context, step);
+    const bool holds = step.verdict == Verdict::proved || step.verdict == Verdict::definition;
+    const ExprNode& left = walk.tree[row.left().typed->id];
+    if (which == 0 && !holds && left.op == Op::symbol) end_family(walk.names.scope, left.symbol);
   } else {
     offer_what_is_near_unread(place, row, step);
   }

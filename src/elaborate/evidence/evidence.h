@@ -55,6 +55,13 @@ struct UnsizedMatrices {
   bool speaks_of_columns = false;  // "vectors"
 };
 
+/// How a section says that a letter counts.
+struct CountingLetter {
+  std::optional<int> first;  // the largest first number that is said
+  bool said = false;         // "an integer", `n = 1, 2, \dots`, `E_{n+1}`
+  bool some_only = false;    // "for odd $n$", `n = 1.5`
+};
+
 struct Evidence {
   std::set<std::string> vectors;   // bold or under an arrow somewhere
   std::set<std::string> crossed;   // factors of a cross product
@@ -119,8 +126,12 @@ struct Evidence {
   bool speaks_of_raised = false;    // the words do, and name no letter
   std::set<std::string> exponents;  // that are numbers where they stand above: they stand on the line as well
   std::set<std::string> counters;   // n of `x_{n+1}`: in a subscript it counts the members of a sequence
-  std::map<std::string, MatrixLetter> triples;  // S of `\mathbf S = \frac\hbar2\boldsymbol\sigma`
-  std::set<std::string> many_triples;           // \sigma of `\boldsymbol\sigma_1`, `\sigma_i^z`
+  std::map<std::string, CountingLetter> counting;  // n of "for $n = 1, 2, \dots$"
+  std::set<std::string> numbered;                  // n of `n_1`: several quantities of one name
+  bool speaks_of_levels = false;                   // "harmonics", "energy levels": then n counts them
+  std::set<std::string> quantities_apart;          // `E_{0}` of "the amplitude $E_0$": no member of the E_n
+  std::map<std::string, MatrixLetter> triples;     // S of `\mathbf S = \frac\hbar2\boldsymbol\sigma`
+  std::set<std::string> many_triples;              // \sigma of `\boldsymbol\sigma_1`, `\sigma_i^z`
   bool speaks_of_pauli = false;
   std::map<std::string, MatrixLetter> matrices;  // A of `A = \begin{pmatrix}…`, as `matrix_name` spells it
   std::set<std::string> entries;                 // letters inside written matrices, spelled so
@@ -148,6 +159,15 @@ void see_components(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides
 void see_subscripts(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence);
 /// The letters of a subscript that is a formula: n of `n+1`. Empty for all others.
 [[nodiscard]] std::vector<std::string> counters_in(const WrittenIndex& index);
+
+// --- seen_subscripts.cpp: Letters that count: n of `E_n = n^2E_1` and of "for $n = 1, 2, \dots$".
+
+/// What one chain shows; `sides` are its sides as they were parsed.
+void see_families(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
+/// The text of a display, or `prose` with its formulas.
+void see_counting(std::string_view text, bool prose, Evidence& evidence);
+/// n of "for $n = 1, 2, \dots$": can such a letter count?
+[[nodiscard]] bool may_count_members(std::string_view letter);
 
 /// `\hat n` for `\hat n_i`: letter, accent, change and primes.
 [[nodiscard]] std::string letter_with_marks(const WrittenSymbol& symbol);

@@ -151,11 +151,32 @@ void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, L
   }
 }
 
+/// n of `E_{2n}` beside E_n: a component would have as many indices.
+std::set<std::string> counters_of_multiples(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
+  std::set<std::pair<std::string, std::string>> members;
+  std::set<std::pair<std::string, std::string>> multiples;
+  for (const SyntaxId id : nodes_below(syntax, sides)) {
+    if (syntax[id].kind != SyntaxKind::symbol) continue;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    const std::vector<WrittenIndex>& lower = symbol.lower;
+    if (lower.empty() || lower.size() > 2 || !is_small_latin(lower.back()) || !is_strong(lower.back().text))
+      continue;
+    if (lower.size() == 1) members.emplace(letter_with_marks(symbol), lower.back().text);
+    if (lower.size() == 2 && lower[0].form == IndexForm::digit)
+      multiples.emplace(letter_with_marks(symbol), lower.back().text);
+  }
+  std::set<std::string> counters;
+  for (const auto& each : multiples) {
+    if (members.contains(each)) counters.insert(each.second);
+  }
+  return counters;
+}
+
 /// n of `x_{n+1}` labels x_n beside it, too; elsewhere in the section where no term repeats it.
 void read_counters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names,
                    Letters& letters) {
   std::set<std::string> counters = names.symbols.evidence->counters;
-  std::set<std::string> here;
+  std::set<std::string> here = counters_of_multiples(syntax, sides);
   for_each_node(syntax, sides, [&](SyntaxId id) {
     if (syntax[id].kind == SyntaxKind::symbol) {
       for (const WrittenIndex& index : syntax.symbol(id).lower) {

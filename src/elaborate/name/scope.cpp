@@ -113,6 +113,12 @@ Directives withdraw_constant(NameScope& scope, SymbolId symbol) {
 
 void declare_variable(NameScope& scope, SymbolId symbol) { say_of(scope.variables, symbol, scope.depth); }
 
+void end_family(NameScope& scope, SymbolId general) {
+  scope.families.erase_if([&](const Family& each) { return each.general == general; });
+}
+
+void set_apart(NameScope& scope, SymbolId symbol) { say_of(scope.apart, symbol, scope.depth); }
+
 void declare_small(NameScope& scope, SmallQuantity small) {
   small.depth = scope.depth;
   scope.small.push_back(std::move(small));
@@ -155,7 +161,8 @@ void open_section(NameScope& scope, int level) {
   scope.unread.erase_if(closed);
   scope.constants.erase_if(closed);
   scope.small.erase_if(closed);
-  for (auto* said : {&scope.variables, &scope.for_all, &scope.of_other_order, &scope.seen})
+  scope.families.erase_if(closed);
+  for (auto* said : {&scope.variables, &scope.for_all, &scope.of_other_order, &scope.apart, &scope.seen})
     said->erase_if(said_inside);
   scope.depth = level;
 }

@@ -32,6 +32,7 @@ struct Origin {
   std::size_t event = 0;                   // and its display
   bool conditional = false;                // it is after "if", "suppose", "for small …"
   bool on_its_line = false;                // its own line says when: `y = x \quad (x < 1)`
+  bool only_counts = false;                // which says only which numbers a letter takes
   bool of_a_case = false;                  // its heading is of a special case
 };
 
@@ -100,6 +101,16 @@ struct DeclaredConstant {
   std::size_t frames = 0;  // in force where it stands
 };
 
+/// The members that `E_n = n^2\epsilon` gives: E_1, E_{n+1}.
+struct Family {
+  SymbolId general{};      // E_n
+  std::string sequence;    // E
+  std::string letter;      // n
+  bool by_number = false;  // E_1 is meant as well
+  int first = 0;           // number that the letter takes
+  int depth = 0;
+};
+
 /// For each symbol that something is said about, the depth of the outermost section that says it.
 using SaidOfSymbols = SharedMap<SymbolId, int>;
 
@@ -114,6 +125,8 @@ struct NameScope {
   SaidOfSymbols variables;            // they may change
   SaidOfSymbols for_all;              // statements are meant for all their values
   SaidOfSymbols of_other_order;       // declared small, and of another order by what else is said
+  SharedList<Family> families;        // that definitions of this section or one around it give
+  SaidOfSymbols apart;                // E_0 of a field, though the E_n are a family
   SaidOfSymbols seen;                 // in an equation of this section or one around it
   SharedSet<SymbolId> seen_anywhere;  // in one of any section
   int depth = 0;                      // of the section at hand
@@ -143,6 +156,9 @@ void declare_constant(NameScope& scope, SymbolId symbol, std::optional<std::size
 /// constant: they count as used, since they are in the way.
 [[nodiscard]] Directives withdraw_constant(NameScope& scope, SymbolId symbol);
 void declare_variable(NameScope& scope, SymbolId symbol);
+/// It is said anew, in a way that defines nothing.
+void end_family(NameScope& scope, SymbolId general);
+void set_apart(NameScope& scope, SymbolId symbol);
 void declare_small(NameScope& scope, SmallQuantity small);
 void note_other_order(NameScope& scope, SymbolId small);
 [[nodiscard]] inline bool is_of_other_order(const NameScope& scope, SymbolId small) {

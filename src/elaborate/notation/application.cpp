@@ -7,6 +7,7 @@
 #include <set>
 
 #include "elaborate/evidence/evidence.h"
+#include "elaborate/name/family.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/symbol/named_symbol.h"
 #include "expr/print/print_latex.h"
@@ -407,6 +408,14 @@ std::vector<std::string> running_variables(const Reading& reading, const Written
   bare.dots = 0;
   if (auto variables = variables_of(bare, *reading.names.symbols.evidence))
     return variables->size() == count ? *std::move(variables) : std::vector<std::string>{};
+  if (const auto member = membership_of(reading.names, of)) {  // \phi_2(0) of `\phi_n(x) = \sin nx`
+    WrittenIndex general;
+    general.text = member->family.letter;
+    bare.lower = {general};
+    if (auto variables = variables_of(bare, *reading.names.symbols.evidence);
+        variables && variables->size() == count)
+      return *std::move(variables);
+  }
   // u(0) beside `\dot u`, also where nobody writes `u(t)`.
   const NameKey* key = key_of(reading.names.symbols, base_of(reading.tree.symbols, of));
   const bool in_time =

@@ -10,6 +10,7 @@
 
 #include "base/among.h"
 #include "base/ascii.h"
+#include "elaborate/name/family.h"
 #include "elaborate/reading/change.h"
 #include "elaborate/symbol/axes.h"
 #include "elaborate/symbol/hole.h"
@@ -327,9 +328,21 @@ MaybeTyped length_or_scalar(Reading& reading, const Occurrence& at) {
   return apply_op(reading.tree, Op::length, at.span, 0, {*vector});
 }
 
+/// m of `E_m` stands for a number, also where it is not written as one.
+void resolve_counters(Reading& reading, const std::string& base, Span span) {
+  if (reading.names.scope.families.empty()) return;
+  const auto member = member_name({base, 0, false});
+  if (!member) return;
+  for (const auto& [letter, factor] : member->letters)
+    symbol_named(reading, {letter, 0, false}, letter, span);
+}
+
 MaybeTyped plain_symbol(Reading& reading, Occurrence at) {
   WrittenName& name = at.name;
-  if (name.axes.empty()) return length_or_scalar(reading, at);
+  if (name.axes.empty()) {
+    resolve_counters(reading, name.base, at.span);
+    return length_or_scalar(reading, at);
+  }
   const Names& names = reading.names;
   const bool particle = name.per_particle();
   if (name.axes.size() == 2 && name.axes[0].form == IndexForm::digit &&
@@ -362,6 +375,7 @@ MaybeTyped plain_symbol(Reading& reading, Occurrence at) {
   if ((known && !labelled_known) || mixed) return named_symbol(reading, at, name.base, rank, name.axes);
   name.base = labelled;
   name.axes.clear();
+  resolve_counters(reading, name.base, at.span);
   return length_or_scalar(reading, at);
 }
 

@@ -318,7 +318,7 @@ class StatementSplitter {
         if (!notes_.assume(tokens, conditions_in)) notes_.set_doubt(tokens);
         return;
       }
-      if (lists_values(tokens) && notes_.ranges_over_known(tokens)) return notes_.set_doubt(tokens);
+      if (lists_values(tokens) && notes_.ranges_over_known(tokens)) return notes_.set_doubt(tokens, true);
     }
     if (!has_relation(tokens) && !chains_.empty()) {
       return notes_.note_aside(tokens);
@@ -343,7 +343,7 @@ class StatementSplitter {
         break;
       }
       if (after_equation && lists_values(rest) && notes_.ranges_over_known(rest)) {
-        notes_.set_doubt(tokens.subspan(at + 1));
+        notes_.set_doubt(tokens.subspan(at + 1), true);
         uses_.mark(tokens.subspan(at, 1), TokenUse::layout);
         tokens = tokens.first(at);
         break;

@@ -51,8 +51,9 @@ void LineNotes::set_condition(Span span, Obstacle obstacle) {
   condition_span_ = span;
 }
 
-void LineNotes::set_doubt(TokenView tokens) {
+void LineNotes::set_doubt(TokenView tokens, bool counts) {
   uses_.mark(tokens, TokenUse::condition);
+  only_counts_ = counts && (!doubt_ || only_counts_);
   if (doubt_) return;
   std::string words = spoken(without_stop(tokens));
   while (!words.empty() && words.back() == ' ') words.pop_back();
@@ -100,7 +101,8 @@ void LineNotes::note_aside(TokenView tokens) {
   const bool bracketed = is_sign_of(tokens.front(), "([");
   if (bracketed && assume(tokens, conditions_in)) return;
   const bool restricts = words.empty() ? bracketed && relates : can_only_restrict(words);
-  if (restricts && !(bracketed && bracket_end(tokens, 0) != tokens.size())) return set_doubt(tokens);
+  if (restricts && !(bracketed && bracket_end(tokens, 0) != tokens.size()))
+    return set_doubt(tokens, bracketed && lists_values(tokens.subspan(1, tokens.size() - 2)));
   set_condition(tokens, fmt::format("`{}` next to the equation is not read, and may change what it says",
                                     text_of(tokens)));
 }
@@ -128,6 +130,7 @@ void LineNotes::apply(WrittenChain& chain) const {
   chain.assumed.insert(chain.assumed.begin(), assumed_.begin(), assumed_.end());
   chain.alternative = alternatives_;
   chain.doubt = doubt_;
+  chain.only_counts = only_counts_ && !alternatives_;
   if (alternatives_)
     chain.doubt = Obstacle{DiagnosticKind::restricted, "it is one of several alternatives", {}};
   if (!condition_) return;

@@ -26,8 +26,8 @@ class LineNotes {
   /// Signs that may change what the equations say keep them from being judged.
   void set_condition(TokenView tokens, std::string message);
   void set_condition(Span span, Obstacle obstacle);
-  /// Unread, but whatever it says can only restrict the equations.
-  void set_doubt(TokenView tokens);
+  /// Unread, but whatever it says can only restrict the equations. `counts`: it lists values of a letter.
+  void set_doubt(TokenView tokens, bool counts = false);
   /// Words that are in a list, or keep the equations from being judged.
   void note_remark(TokenView tokens, bool after_equation);
   /// Words that are in no list: they restrict the equations, or keep them from being judged.
@@ -50,6 +50,7 @@ class LineNotes {
   std::optional<Obstacle> doubt_;
   std::optional<Obstacle> condition_;
   Span condition_span_;
+  bool only_counts_ = false;
   bool no_sum_ = false;
   bool cyclic_ = false;
   bool alternatives_ = false;

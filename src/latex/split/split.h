@@ -45,6 +45,7 @@ struct WrittenChain {
   /// Words or signs next to the equation that may restrict it ("to first order", `i \ne j`): it may be
   /// proved, never refuted.
   std::optional<Obstacle> doubt;
+  bool only_counts = false;    // the doubt is which numbers a letter takes: `n = 0, 1, 2, \dots`
   bool only_said_for = false;  // the doubt is that it holds under what `assumed` says
   /// Relations that say when it holds: after "for" or "if", in its tag, at its braces. Where there are some,
   /// there is a doubt.
