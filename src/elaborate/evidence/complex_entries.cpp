@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elaborate/evidence/complex_entries.h"
 
+#include <set>
 #include <string>
+#include <utility>
 
 namespace rigor {
 namespace {
@@ -46,6 +48,36 @@ void see_unit(const SyntaxTree& syntax, SyntaxId above, SyntaxId below, Evidence
   if (sure) evidence.imaginary_units.insert(unit);
 }
 
+/// Its letters and numbers in their order.
+std::string spelled_entry(const SyntaxTree& syntax, SyntaxId root) {
+  std::string text;
+  for (const SyntaxId id : nodes_below(syntax, {root})) {
+    if (syntax[id].kind == SyntaxKind::symbol) text += letter_with_marks(syntax.symbol(id)) + ' ';
+    if (syntax[id].kind == SyntaxKind::number) text += std::string(syntax.text(id)) + ' ';
+  }
+  return text;
+}
+
+/// i of `x - iy` that faces `x + iy`.
+void see_unit_of_conjugates(const SyntaxTree& syntax, SyntaxId above, SyntaxId below, Evidence& evidence) {
+  const auto is_sum_of_two = [&](SyntaxId id) {
+    return syntax[id].kind == SyntaxKind::sum && syntax[id].count == 2;
+  };
+  if (!is_sum_of_two(above) || !is_sum_of_two(below)) return;
+  const auto [real, imaginary] = std::pair(syntax.children(above)[0], syntax.children(above)[1]);
+  const auto [other_real, other] = std::pair(syntax.children(below)[0], syntax.children(below)[1]);
+  const bool conjugates = real.joint == other_real.joint && imaginary.joint != other.joint &&
+                          spelled_entry(syntax, real.id) == spelled_entry(syntax, other_real.id) &&
+                          spelled_entry(syntax, imaginary.id) == spelled_entry(syntax, other.id);
+  if (!conjugates) return;
+  std::set<std::string> units;
+  for (const SyntaxId id : nodes_below(syntax, {imaginary.id})) {
+    if (syntax[id].kind == SyntaxKind::symbol && may_be_imaginary_unit(syntax.symbol(id)))
+      units.insert(syntax.symbol(id).letter);
+  }
+  if (units.size() == 1) evidence.imaginary_units.insert(*units.begin());
+}
+
 /// The symbols below that are starred, or those that are not.
 std::set<std::string> names_below(const SyntaxTree& syntax, SyntaxId root, bool starred) {
   std::set<std::string> names;
@@ -81,6 +113,7 @@ void see_complex_entries(const SyntaxTree& syntax, SyntaxId table, Evidence& evi
       const SyntaxId above = syntax.child(table, row * columns + column);
       const SyntaxId below = syntax.child(table, column * columns + row);
       see_unit(syntax, above, below, evidence);
+      see_unit_of_conjugates(syntax, above, below, evidence);
       conjugates = conjugates || faces_its_conjugate(syntax, above, below) ||
                    faces_its_conjugate(syntax, below, above);
     }
