@@ -197,6 +197,17 @@ std::vector<SymbolId> never_differentiated(const RowUnderLaws& row, const Names&
   const std::vector<SymbolId>& written = row.claim.reading->found.unknown_changes;
   unknown.insert(unknown.end(), written.begin(), written.end());
   unknown = bases_of(row.tree, unknown);
+  // `l = mr^2\dot\theta` of another section shows that \theta changes.
+  std::set<SymbolId> differentiated;
+  for (const SymbolId each :
+       symbols_reached(row.tree, names.scope, {row.claim.equation.left, row.claim.equation.right})) {
+    const auto body = body_of_definition(names.scope, base_of(row.tree.symbols, each));
+    if (!body) continue;
+    for (const SymbolId inside : symbols_in(row.tree, *body)) {
+      if (row.tree.symbols[inside].derivation) differentiated.insert(base_of(row.tree.symbols, inside));
+    }
+  }
+  std::erase_if(unknown, [&](SymbolId symbol) { return differentiated.contains(symbol); });
   std::erase_if(unknown, [&](SymbolId symbol) {
     const NameKey* key = key_of(names.symbols, symbol);
     const auto may_change = by == Variable(By::time) ? may_be_changing_in_time : may_be_changing;
@@ -293,19 +304,30 @@ std::vector<ExprId> not_zero(const RowUnderLaws& row, const Laws& set) {
     return row.tree.is_zero_literal(equation.left) || row.tree.is_zero_literal(equation.right);
   };
   const bool row_vanishes = vanishes(row.claim.equation);
-  const auto is_product = [&](const Equation& equation) {
-    return signed_terms(row.tree, equation.left).size() == 1 &&
-           signed_terms(row.tree, equation.right).size() == 1;
+  // `m\ddot x + kx = 0` is divided by m; `ax - bx = 0` may say that x vanishes.
+  const auto is_equation_of_motion = [&](const Equation& equation) {
+    return std::ranges::any_of(std::array{equation.left, equation.right}, [&](ExprId side) {
+      return std::ranges::any_of(symbols_in(row.tree, side), [&](SymbolId each) {
+        return row.tree.symbols[each].derivation.has_value();
+      });
+    });
+  };
+  const auto is_coefficient = [&](SymbolId letter) {
+    const NameKey* key = key_of(row.names.symbols, letter);
+    return key != nullptr && !may_be_changing(*row.names.symbols.evidence, key->base);
   };
   for (const PageLaw* law : set) {
-    if (vanishes(law->equation) && is_product(law->equation))
-      own.merge(base_letters(row.tree, row.names.scope, law->equation));
+    if (vanishes(law->equation)) {
+      std::set<SymbolId> letters = base_letters(row.tree, row.names.scope, law->equation);
+      if (is_equation_of_motion(law->equation)) std::erase_if(letters, is_coefficient);
+      own.merge(std::move(letters));
+    }
     const ExprNode& left = row.tree[law->equation.left];
     if (left.op == Op::symbol) own.insert(left.symbol);  // the law says what it is
   }
   std::map<std::string, ExprId> divisors;
   for (const PageLaw* law : set) {
-    if ((vanishes(law->equation) && is_product(law->equation)) ||
+    if ((vanishes(law->equation) && !is_equation_of_motion(law->equation)) ||
         (row_vanishes && !is_ansatz(row.tree, *law, set)))
       continue;
     for (const ExprId divisor : divisors_of(row.tree, row.names.scope, law->equation, own)) {

@@ -167,7 +167,7 @@ class NonZero {
   std::set<SymbolId> letters_;
   std::set<SymbolId> differentiated_;  // those that have a derivative there
   std::set<SymbolId> inside_;          // of functions
-  std::set<SymbolId> zero_;  // set equal to 0 as they stand
+  std::set<SymbolId> zero_;            // set equal to 0 as they stand
   std::set<ExprId> sides_;
   std::set<ExprId> angles_;  // sines and cosines of letters
   std::vector<ExprId> terms_;

@@ -33,6 +33,8 @@ struct StatedLaw {
   std::optional<SymbolId> letter = {};       // F of `F = -kx`: what it says that the letter is
   std::vector<std::pair<SymbolId, ExprId>> meanings = {};  // of its letters that are defined
   bool poses = false;  // a line says it of a function: "We solve $y'' = y$ with $y(0) = 1$"
+  /// In which a line says what a letter of the display before it is, "with $\gamma = …$".
+  std::optional<std::size_t> explained_in = {};
 };
 
 /// `c \approx 343\,\mathrm{m/s}` of a display: what its letter is worth, and no law.

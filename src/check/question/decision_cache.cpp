@@ -81,7 +81,7 @@ void DecisionCache::remember(const std::string& asked, std::string answer, std::
 }
 
 bool DecisionCache::takes(std::uint64_t work) {
-  if (work > budget_.left()) return false;
+  if (budget_.exhausted() || work > budget_.left()) return false;
   budget_.count(work);
   return true;
 }

@@ -416,7 +416,7 @@ class Preparation {
       const bool varies = dependence.kind == Dependence::Kind::varies;
       if (varies && is_parameter(names_, tree_, symbol, by, along)) {
         note_parameter(symbol, along);
-        if (names_.symbols.evidence->speaks_of_change) note_unknown(symbol);  // then only a proof counts
+        note_unknown(symbol);  // nothing is refuted by a convention
         return Dependence{Dependence::Kind::constant};
       }
       const bool guessed = varies && !knows_change(names_, tree_, symbol, by);
@@ -440,6 +440,7 @@ class Preparation {
     auto held = fmt::format("`{}` does not change with `{}`", tree_.symbols[symbol].name,
                             tree_.symbols[along[0]].name);
     if (!is_one_of(held, prepared_.conventions)) prepared_.conventions.push_back(std::move(held));
+    prepared_.parameters.push_back(symbol);
   }
 
   /// A derivative of something that does not change.

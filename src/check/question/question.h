@@ -19,9 +19,11 @@ struct Prepared {
   std::vector<const NamedAssumption*> assumptions;  // the same; nullptr where a kind implies it (|n| = 1)
   std::size_t without_slack = 0;                    // so many of the assumptions would be there without slack
   std::optional<std::string> too_large = {};        // why derivatives are missing: then nothing is decided
-  std::size_t made = 0;                       // so many nodes were made for derivatives: the work it took
-  std::vector<SymbolId> unknown_changes;      // differentiated, though nothing says whether they change
-  Directives used = {};                       // that say how something changes, or that it is small
+  std::size_t made = 0;                   // so many nodes were made for derivatives: the work it took
+  std::vector<SymbolId> unknown_changes;  // differentiated, though nothing says whether they change
+  std::vector<SymbolId> parameters =
+      {};                // of these, those that were held, as what is written of x holds them
+  Directives used = {};  // that say how something changes, or that it is small
   std::vector<std::string> conventions = {};  // that the values of its integrals rest on
   std::vector<const NamedAssumption*> integrals_rest_on =
       {};  // the values of its integrals, or that they exist

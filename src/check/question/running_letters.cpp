@@ -17,8 +17,11 @@ namespace {
 /// t of `t'` and `t_1`.
 std::string without_marks(const std::string& letter) { return letter.substr(0, letter.find_first_of("_^'")); }
 
-bool has_rates_in_time(const ExprTree& tree, const std::vector<SymbolId>& symbols) {
-  return std::ranges::any_of(symbols, [&](SymbolId each) { return tree.symbols[each].order(By::time) > 0; });
+/// `\dot\theta` of which nothing says what it is.
+bool has_free_rates(const ExprTree& tree, const NameScope& scope, const std::vector<SymbolId>& symbols) {
+  return std::ranges::any_of(symbols, [&](SymbolId each) {
+    return tree.symbols[each].order(By::time) > 0 && definition_of(scope, each) == nullptr;
+  });
 }
 
 }  // namespace
@@ -133,13 +136,16 @@ bool is_parameter(const Names& names, const ExprTree& tree, SymbolId symbol, con
                   std::span<const SymbolId> along) {
   const Evidence& evidence = *names.symbols.evidence;
   const NameKey* own = key_of(names.symbols, symbol);
-  if (own == nullptr || along.empty()) return false;
+  if (own == nullptr || along.empty() || evidence.speaks_of_dependence) return false;
   if (tree.symbols[symbol].derivation || is_function_value(names, tree, symbol)) return false;
   if (const auto body = body_of_definition(names.scope, symbol))
-    return by.by == By::letter && has_rates_in_time(tree, symbols_reached(tree, names.scope, {*body}));
+    return by.by == By::letter && evidence.speaks_of_conservation &&
+           has_free_rates(tree, names.scope, symbols_reached(tree, names.scope, {*body}));
   const bool changes_in_time =
       by == By::time && (evidence.speaks_of_change || is_changing(evidence, own->base));
-  return !changes_in_time && !evidence.primed.contains(own->base) &&
+  const auto functions = evidence.functions.find(own->base);  // "the Lorentz factor $\gamma(v)$"
+  const bool is_function = functions != evidence.functions.end() && !functions->second.empty();
+  return !changes_in_time && !is_function && !evidence.with_primes.contains(changing_name(own->base)) &&
          std::ranges::none_of(
              along, [&](SymbolId letter) { return symbol == letter || counts_along(names, symbol, letter); });
 }

@@ -222,6 +222,17 @@ struct Reach {
   bool of_any_thing = false;                 // also what may be of another thing than the letter's definition
 };
 
+/// "A hollow cylinder has twice the moment of inertia": what a letter of another display is need not hold.
+bool speaks_of_another_thing_since(const RowPlace& place, std::size_t sentence) {
+  const std::size_t here = beside(place).sentence;
+  const auto is_its_own = [](std::string_view word) { return word != "with" && has_own_words(word); };
+  return std::ranges::any_of(place.notes.prose.sentences, [&](const ProseSentence& each) {
+    if (each.number <= sentence || each.number > here) return false;
+    const std::string text = lowered(each.text);
+    return std::ranges::any_of(words_of(text), is_its_own);
+  });
+}
+
 /// Above in this section or one around it; of earlier sections, what is not said for a case or an example. A
 /// case holds in its paragraph, and where it is named; under a condition, where that is said as well.
 bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& reach) {
@@ -231,6 +242,7 @@ bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& r
   const bool said = std::ranges::all_of(
       stated.conditions, [&](const std::string& each) { return is_one_of(each, reach.conditions); });
   if (!said || (stated.poses && names_another_thing(here.lead))) return false;
+  if (stated.explained_in && speaks_of_another_thing_since(place, *stated.explained_in)) return false;
   const bool in_reach = law.argument == here.argument || is_named_beside(place, stated);
   if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
   const bool reaches = sections.reaches(law.place, here.place);
@@ -555,12 +567,11 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
     const bool for_now = sets_letters_equal(place.tree, equation) || is_measured(place.tree, equation.right);
     const auto letter = letter_of_law(place.tree, equation);
     // "With $N = a^\dagger a$" says what a new letter is; of a known one it may say a case, but for "where".
-    const bool is_new =
-        letter &&
-        (!seen_in_equation(place.names.scope, *letter) ||
-         (!symbols_in(place.tree, equation.right).empty() &&
-          explains_its_display(place, said, letters_written_in(place.notes.syntax, {chain.sides[0]}))));
-    const bool brings_in = may_name && is_new && sentence->has_display &&
+    const bool is_new = letter && !seen_in_equation(place.names.scope, *letter);
+    const bool explains =
+        letter && !is_new && !symbols_in(place.tree, equation.right).empty() &&
+        explains_its_display(place, said, letters_written_in(place.notes.syntax, {chain.sides[0]}));
+    const bool brings_in = may_name && (is_new || explains) && sentence->has_display &&
                            is_said_for_good(place, said, *letter) &&
                            definition_of(place.names.scope, *letter) == nullptr;
     const bool names = may_name && !for_now && letter && (said.named || brings_in) &&
@@ -583,12 +594,14 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
         .argument = said.argument,
         .of_a_case = !(names || of_values) || word_that_demands(words) || word_of_a_special_case(words),
         .names_a_letter = brings_in};
-    place.found.stated.push_back({.law = std::move(law),
-                                  .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
-                                  .of_case = case_said_in(place.notes.prose, said.sentence, place.section),
-                                  .letter = letter_of_law(place.tree, equation),
-                                  .meanings = meanings_of(place, equation),
-                                  .poses = poses});
+    place.found.stated.push_back(
+        {.law = std::move(law),
+         .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
+         .of_case = case_said_in(place.notes.prose, said.sentence, place.section),
+         .letter = letter_of_law(place.tree, equation),
+         .meanings = meanings_of(place, equation),
+         .poses = poses,
+         .explained_in = names && explains ? std::optional(said.sentence) : std::nullopt});
   }
 }
 

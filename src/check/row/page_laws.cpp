@@ -161,6 +161,59 @@ std::vector<PageLaw> self_adjoint_letters(RowPlace& place, const Claim& claim, c
   return laws;
 }
 
+/// The letters that change in time and that these lead to: r of `u = 1/r` where the page has `\dot r`.
+std::vector<SymbolId> moving_letters(const RowPlace& place, SymbolId symbol) {
+  std::vector<SymbolId> moving;
+  const ExprTree& tree = place.tree;
+  const auto body = body_of_definition(place.names.scope, symbol);
+  const std::vector<SymbolId> reached =
+      body ? symbols_reached(tree, place.names.scope, {*body}) : std::vector{symbol};
+  for (const SymbolId each : reached) {
+    const SymbolId base = base_of(tree.symbols, each);
+    const NameKey* key = key_of(place.names.symbols, base);
+    const bool moves = key != nullptr && key->rank == 0 && has_rate(*place.names.symbols.sightings, *key) &&
+                       definition_of(place.names.scope, base) == nullptr;
+    if (moves && !is_one_of(base, moving)) moving.push_back(base);
+  }
+  return moving;
+}
+
+/// `\dot r = \frac{dr}{d\theta}\dot\theta`, where the row has a derivative by \theta, and \theta changes in
+/// time: what is a function of it changes as it does. Of each order that the row has.
+std::vector<PageLaw> laws_along_the_motion(RowPlace& place, const Claim& claim) {
+  ExprTree& tree = place.tree;
+  const Span span = claim.relation;
+  const auto node = [&](SymbolId symbol) {
+    return tree.add({.op = Op::symbol, .span = span, .symbol = symbol});
+  };
+  std::vector<PageLaw> laws;
+  for (const ExprId side : {claim.equation.left, claim.equation.right}) {
+    for (const SymbolId symbol : symbols_in(tree, side)) {
+      const std::optional<Derivation> derivation = tree.symbols[symbol].derivation;
+      if (!derivation) continue;
+      const Variable by = *derivation->by.begin();
+      const bool total =
+          by.by == By::letter && !by.partial && !by.held && derivation->by.count(by) == derivation->by.size();
+      if (!total || moving_letters(place, by.letter) != std::vector{by.letter}) continue;
+      for (const SymbolId letter : moving_letters(place, derivation->base)) {
+        SymbolId of = letter;
+        for (std::size_t order = 0; order < derivation->by.size() && letter != by.letter; ++order) {
+          const SymbolId next = tree.symbols.derivative(of, by);
+          const ExprId factors[] = {node(next), node(tree.symbols.derivative(by.letter, By::time))};
+          PageLaw law{.equation = {}, .name = {}, .span = span, .by_convention = true};
+          law.equation.left = node(tree.symbols.derivative(of, By::time));
+          law.equation.right = tree.add({.op = Op::multiply, .span = span}, factors);
+          law.name = fmt::format("convention: `{}` is a function of `{}`, which changes in time",
+                                 tree.symbols[of].name, tree.symbols[by.letter].name);
+          laws.push_back(std::move(law));
+          of = next;
+        }
+      }
+    }
+  }
+  return laws;
+}
+
 /// "With $b = d$ we get", "for $\theta_1 + \theta_2 = \pi/2$": what its own sentence says goes with the laws.
 /// `above`: among which it may be already.
 std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& row, const Laws& above) {
@@ -201,6 +254,7 @@ bool is_announced(const RowPlace& place, const StepReading& row) {
 Grounds grounds_of(RowPlace& place, const StepReading& row, const Claim& claim) {
   const Laws above = available_to(place, row.parsed);
   std::vector<PageLaw> own = self_adjoint_letters(place, claim, above);
+  std::ranges::move(laws_along_the_motion(place, claim), std::back_inserter(own));
   const std::size_t conventions = own.size();
   std::ranges::move(said_in_its_sentence(place, row, above), std::back_inserter(own));
   Grounds grounds{.own = std::make_shared<const std::vector<PageLaw>>(std::move(own))};

@@ -74,6 +74,14 @@ void settle_in_both(RowPlace& place, const StepReading& row, const Claim& claim,
   settle(place, row, claim, std::move(judgement), step);
   if (step.verdict == Verdict::proved || claim.recorded != nullptr) return;
   std::vector<StatedLaw>& stated = place.found.stated;
+  if (claim.reading->found.applied_elsewhere) {  // nothing but a proof shows that a value is meant
+    stated.clear();
+    step = before;
+    step.verdict = Verdict::not_understood;
+    const Obstacle guess = *claim.reading->found.applied;
+    step.diagnostics.push_back({guess.kind, claim.relation, guess.message, {}, guess.help});
+    return;
+  }
   const std::size_t by_first = stated.size();
   const auto other = settled_otherwise(place, row, claim, before);
   if (!other && bracket && step.verdict != Verdict::refuted) return;  // no product can be meant

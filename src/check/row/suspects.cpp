@@ -28,6 +28,7 @@
 #include "check/row/given_values.h"
 #include "check/scope/section_evidence.h"
 #include "check/word/prose_words.h"
+#include "elaborate/name/family.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -355,7 +356,27 @@ bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
          begins_with_a_case(here.lead) || restriction_in_heading(heading) || (around && !around->of_notes);
 }
 
+namespace {
+
+/// "With a wall at $x = 0$ only odd states survive, so" `E_{n+1} - E_n = …`: members of another family.
+bool may_be_of_another_family(const RowPlace& place, const Claim& claim) {
+  static constexpr std::array<std::string_view, 14> another{"with", "for",  "in",      "if",  "when",
+                                                            "a",    "an",   "only",    "but", "without",
+                                                            "on",   "here", "instead", "even"};
+  const std::string lead = lowered(beside(place).lead);
+  const std::vector<std::string_view> words = words_of(std::string_view(lead).substr(lead.rfind('\n') + 1));
+  if (words.empty() || !is_one_of(words.front(), another)) return false;
+  return std::ranges::any_of(std::array{claim.equation.left, claim.equation.right}, [&](ExprId side) {
+    return std::ranges::any_of(symbols_in(place.tree, side), [&](SymbolId each) {
+      return membership_of(place.names, base_of(place.tree.symbols, each)).has_value();
+    });
+  });
+}
+
+}  // namespace
+
 bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  if (may_be_of_another_family(place, claim)) return false;
   if (!may_hold_a_slip(place, row) || why_not_all_matrices(place.tree, place.names, claim.equation))
     return false;
   // "Solve `\ln x^2 = \ln x`": it says which values are meant.

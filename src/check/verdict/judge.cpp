@@ -618,8 +618,8 @@ class Judging {
   /// What relates quantities is a law, whether or not they change.
   void law_of_unknown_rates() {
     if (claim_.for_all || own_guess() || claim_.doubt != nullptr) return;
-    const std::vector<SymbolId> law =
-        law_symbols(prepared_.question, names_.scope, restates_definition(), cache_);
+    std::vector<SymbolId> law = law_symbols(prepared_.question, names_.scope, restates_definition(), cache_);
+    if (law.empty()) law = prepared_.parameters;
     if (law.empty()) return;
     state_law_of(law);
     judgement_.diagnostics.clear();

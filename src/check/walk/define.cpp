@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/among.h"
 #include "base/ascii.h"
 #include "check/law/solves.h"
 #include "check/meaning/measured.h"
@@ -22,6 +23,18 @@
 
 namespace rigor {
 namespace {
+
+/// "The field outside of the ball is", "for $r \ge R$" behind it.
+bool says_where(const ProseBeside& beside) {
+  const auto names_a_region = [](std::string_view word) {
+    return is_one_of(word,
+                     {"outside", "inside", "beyond", "within", "interior", "exterior", "between", "for"});
+  };
+  const std::string lead = lowered(beside.lead);
+  const std::string tail = lowered(beside.tail);
+  return std::ranges::any_of(words_of(lead), names_a_region) ||
+         std::ranges::any_of(words_of(tail), names_a_region);
+}
 
 constexpr std::size_t most_words_of_a_run_in = 4;  // "Second way."
 
@@ -87,6 +100,7 @@ void add_definition(Walk& walk, const Typed& left, const Typed& right, const Par
   origin.only_counts = parsed.written.only_counts && counts_with(walk.names, definition->symbol) &&
                        conditions_beside(here, parsed).empty() && !is_one_of_the_cases(here, parsed);
   origin.of_a_case = context.role == Role::display && is_of_a_case(here);
+  origin.of_a_region = context.role == Role::display && says_where(walk.notes.prose.beside[walk.event]);
   if (is_declared_constant(walk.names.scope, definition->symbol) && decides(walk) &&
       definition_contradicts(walk.tree, walk.names, *definition)) {
     assume(walk.names.scope, {as_equation(walk.tree, *definition), std::move(origin), 0});

@@ -106,6 +106,8 @@ bool follows_from_family(Walk& walk, RowPlace& place, StepReading& row, Step& st
   if (row.role != Role::display || !decides(walk) || left.op != Op::symbol ||
       definition_of(walk.names.scope, left.symbol) != nullptr || !membership_of(walk.names, left.symbol))
     return false;
+  const std::string& lead = beside(place).lead;  // "A pipe with one closed end has": another thing
+  if (has_own_words(lead.substr(lead.rfind('\n') + 1))) return false;
   Diagnostics mismatches;
   auto claim = row.reading.claim(row.parsed, row.which, row.first_order, mismatches);
   if (!claim) return false;
@@ -166,8 +168,7 @@ void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& co
   if (may_part && is_open(*judgement) && takes_apart(walk, row.parsed, left, right, context, step)) return;
   const bool displayed = row.role == Role::display && row.which == 0;
   if (displayed && renames_cases(walk, *judgement, row.parsed, left, right, step)) return;
-  if (may_rename && !two_readings &&
-      redefines(walk, *judgement, row.parsed, left, right, context, step))
+  if (may_rename && !two_readings && redefines(walk, *judgement, row.parsed, left, right, context, step))
     return;
   if (walk.request.reads) return;
   if (row.other != nullptr) return settle_in_both(place, row, *claim, *std::move(judgement), step);

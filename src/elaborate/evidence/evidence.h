@@ -83,7 +83,10 @@ struct Evidence {
       applied;                                      // `\psi(x, t)`: letters in brackets behind it
   std::map<std::string, std::set<std::string>> by;  // x of `dy/dx`, with y: what is differentiated by
   std::set<std::string> primed;                     // y of `y''` and `y'(x)`: a prime is a derivative
-  std::set<std::string> changing;  // letters of which a rate is written, or that have an argument
+  std::set<std::string> with_primes;    // A of `A'`, which may be a derivative; as `changing` names it
+  bool speaks_of_conservation = false;  // "conserved", "constant": then l of `l = mr^2\dot\theta` is held
+  bool speaks_of_dependence = false;    // "depends on", "varies", "not constant": of a letter or not
+  std::set<std::string> changing;       // letters of which a rate is written, or that have an argument
   std::map<std::string, std::set<std::string>> tied;  // m of `m = \mu t`, with what stands on the other sides
   std::set<std::string> said_to_change;               // "$U$ depends on"
   std::set<std::string> may_change;  // these, what is tied to them or to the time, and what has an argument

@@ -46,6 +46,12 @@ constexpr auto verbs = std::to_array<std::string_view>({"varies",
                                                         "different at each",
                                                         "different for each"});
 
+/// "We let $A$ and $B$ depend on $x$", "the spring constant is not constant": no letter of a function is
+/// held.
+constexpr auto words_of_dependence = std::to_array<std::string_view>(
+    {"depend on", "depends on", "depend only on", "depends only on", "depending on", "dependent on", "vary",
+     "varies", "varying", "function of", "functions of", "not constant", "not really constant", "dependent"});
+
 /// Of a letter they say that it changes, of a thing mostly that it moves: "so that $T$ rises", "$k$ does not
 /// depend on $x$, but $c$ does".
 constexpr auto verbs_of_letters = std::to_array<std::string_view>(
@@ -166,6 +172,17 @@ void see_said_changes(std::string_view text, Evidence& evidence) {
     }
   };
   for (const std::string_view verb : verbs) for_each_place(small, verb, says_a_change_at);
+  for (const std::string_view word : {"conserved", "conservation", "constant", "fixed", "given"}) {
+    for_each_place(small, word, [&](std::size_t at) {
+      if (!is_denied(std::string_view(small).substr(0, at))) evidence.speaks_of_conservation = true;
+    });
+  }
+  for (const std::string_view word : words_of_dependence) {
+    for_each_place(small, word, [&](std::size_t at) {
+      const std::string_view before = std::string_view(text).substr(0, at);
+      if (!is_denied(before) && !subject(before)) evidence.speaks_of_dependence = true;
+    });
+  }
   for (const std::string_view verb : verbs_with) {
     for_each_place(small, verb, [&](std::size_t at) {
       if (!is_one_of(word_behind(small, at + verb.size()), manners)) says_a_change_at(at);

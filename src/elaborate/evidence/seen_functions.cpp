@@ -145,6 +145,8 @@ bool is_among(const std::set<std::string>& letters, std::string_view name) {
 }
 
 void see_functions_in(std::string_view formula, Evidence& evidence) {
+  if (const auto arrow = formula.find("\\to "); arrow != std::string_view::npos)
+    formula.remove_prefix(arrow + 4);  // `A \to A(x)`
   std::size_t at = 0;
   std::string name = take_letter(formula, at);
   if (name.empty() || name == "\\left" || name == "\\mathbf" || name == "\\vec") return;
@@ -222,6 +224,8 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
     if (kind == SyntaxKind::symbol && syntax.symbol(id).dots > 0) note_changing(syntax.symbol(id), evidence);
     if (kind == SyntaxKind::symbol && syntax.symbol(id).primes > 1)
       evidence.primed.insert(name_of(syntax.symbol(id)));
+    if (kind == SyntaxKind::symbol && syntax.symbol(id).primes > 0)
+      evidence.with_primes.insert(changing_name(syntax.symbol(id)));
     if (kind == SyntaxKind::component && syntax.indices(id).size() == 1 &&
         syntax[bare(syntax, syntax.child(id, 0))].kind == SyntaxKind::derivative)
       evidence.by[syntax.indices(id)[0].text];  // V of `(\partial S/\partial T)_V` could change
@@ -439,7 +443,7 @@ void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evid
     if (syntax[letter].kind != SyntaxKind::symbol || is_power_that_counts(syntax, side, sides)) continue;
     says_what_a_letter_is = true;
     const std::string name = changing_name(syntax.symbol(letter));
-    if (name.ends_with("_0")) continue;  // `L\dot I + RI = V_0`
+    if (name.ends_with("_0") && side != sides.front()) continue;  // `L\dot I + RI = V_0`
     std::set<std::string>& tied = evidence.tied[name];
     for (const SyntaxId other : sides) {
       if (other == side || is_value_at_a_number(syntax, other)) continue;

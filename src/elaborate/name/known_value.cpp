@@ -101,6 +101,8 @@ std::optional<FoundDefinition> value_of_function(ExprTree& tree, const Names& na
                                                  const FunctionValue& value, const FoundDefinition& of,
                                                  const KnownValues& known) {
   if (!is_whole(of) || value.variables.size() != value.at.size()) return std::nullopt;
+  const auto is_elsewhere = [&](ExprId at) { return tree[at].op != Op::symbol && tree[at].op != Op::number; };
+  if (of.origin->of_a_region && std::ranges::any_of(value.at, is_elsewhere)) return std::nullopt;  // `E(R/2)`
   std::map<SymbolId, ExprId> at;
   for (std::size_t k = 0; k < value.at.size(); ++k) {
     const auto variable = letter_named(names, value.variables[k]);

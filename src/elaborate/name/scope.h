@@ -34,6 +34,7 @@ struct Origin {
   bool on_its_line = false;                // its own line says when: `y = x \quad (x < 1)`
   bool only_counts = false;                // which says only which numbers a letter takes
   bool of_a_case = false;                  // its heading is of a special case
+  bool of_a_region = false;                // words before it say where: "outside of the ball"
 };
 
 struct NamedDefinition {

@@ -92,6 +92,12 @@ bool applies_elsewhere(const Reading& reading, SyntaxId symbol, SyntaxId bracket
   });
 }
 
+bool holds_bold(const SyntaxTree& syntax, SyntaxId bracket) {
+  return std::ranges::any_of(nodes_below(syntax, {bracket}), [&](SyntaxId id) {
+    return syntax[id].kind == SyntaxKind::symbol && syntax.symbol(id).face != Face::plain;
+  });
+}
+
 /// A Greek subscript that labels no particle, twice in a term: a label, or an index of space-time that is
 /// summed.
 std::optional<SpelledPart> repeated_greek(const Reading& reading, std::span<const SyntaxChild> factors) {
@@ -340,10 +346,12 @@ BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracke
         (holds_one_symbol(syntax, bracket) || (of_variable && !is_usual_coefficient(symbol.letter))))
       return BracketPart::argument;
   }
-  if (!holds_one_symbol(syntax, bracket) && !looks_like_argument(reading, symbol, bracket) &&
-      !applies_elsewhere(reading, function, bracket) &&
-      (kind != SyntaxKind::tuple || symbol.face != Face::plain))
-    return BracketPart::factor;
+  const bool looks = holds_one_symbol(syntax, bracket) || looks_like_argument(reading, symbol, bracket) ||
+                     (kind == SyntaxKind::tuple && symbol.face == Face::plain);
+  const bool elsewhere =
+      !looks && applies_elsewhere(reading, function, bracket) && !holds_bold(syntax, bracket);
+  if (!looks && !elsewhere) return BracketPart::factor;
+  reading.found.applied_elsewhere = reading.found.applied_elsewhere || elsewhere;
   reading.found.applied =
       Obstacle{DiagnosticKind::ambiguous_reading,
                "this can be a product or the value of a function",
@@ -358,7 +366,8 @@ std::vector<std::string> variables_of_definition(const Names& names, WrittenSymb
   function.dots = 0;
   const auto symbol =
       find_symbol(names.symbols, {with_labels(letter_with_marks(function), function.lower), 0, false});
-  const NamedDefinition* named = symbol ? definition_of(names.scope, *symbol) : nullptr;
+  const bool is_here = symbol && seen_in_equation(names.scope, *symbol);  // or in a section around it
+  const NamedDefinition* named = is_here ? definition_of(names.scope, *symbol) : nullptr;
   std::vector<std::string> variables;
   if (named == nullptr) return variables;
   for (const SymbolId letter : named->along) {
@@ -382,20 +391,26 @@ std::string name_of_function(const Reading& reading, const Typed& of) {
   return reading.tree.symbols[derivation->base].name + std::string(derivation->by.size(), '\'');
 }
 
-/// `U(R)` of `U(r) = …`, where R is a quantity that is defined: the value there.
-bool is_value_at_what_is_defined(const Reading& reading, SyntaxId applied, SyntaxId bracket) {
+/// `U(R)` of `U(r) = …`, where R is defined, or `y(L)`, where L stands in what y is: the value there.
+bool is_value_at_what_is_known(const Reading& reading, SyntaxId applied, SyntaxId bracket) {
   const SyntaxTree& syntax = reading.syntax;
   const SyntaxId function = without_derivatives(syntax, applied);
   if (syntax[function].kind != SyntaxKind::symbol || syntax[bracket].kind != SyntaxKind::group) return false;
   const SyntaxId argument = syntax.child(bracket, 0);
   if (syntax[argument].kind != SyntaxKind::symbol) return false;
-  const WrittenSymbol& letter = syntax.symbol(argument);
-  const std::string name = with_labels(letter_with_marks(letter), letter.lower);
   const Names& names = reading.names;
-  const auto symbol = find_symbol(names.symbols, {name, 0, false});
-  if (!symbol || definition_of(names.scope, *symbol) == nullptr) return false;
+  const auto named = [&](SyntaxId id) {
+    WrittenSymbol letter = syntax.symbol(id);
+    letter.primes = 0;
+    return with_labels(letter_with_marks(letter), letter.lower);
+  };
+  const auto symbol = find_symbol(names.symbols, {named(argument), 0, false});
   const std::vector<std::string> variables = variables_of_definition(names, syntax.symbol(function));
-  return variables.size() == 1 && variables.front() != name;
+  if (!symbol || variables.size() != 1 || variables.front() == named(argument)) return false;
+  const auto of = find_symbol(names.symbols, {named(function), 0, false});
+  const auto body = of ? body_of_definition(names.scope, *of) : std::nullopt;
+  return definition_of(names.scope, *symbol) != nullptr ||
+         (body && is_one_of(*symbol, symbols_in(reading.tree, *body)));
 }
 
 /// t of `x(t)`, as the section writes it; of what is dotted the time.
@@ -471,7 +486,7 @@ std::vector<SyntaxChild> without_arguments(const Reading& reading, std::span<con
     const SyntaxChild& factor = factors[k];
     const bool only_shows = k > 0 && factor.joint == Joint::juxtaposed &&
                             is_argument(syntax, factors[k - 1].id, factor.id, evidence) &&
-                            !is_value_at_what_is_defined(reading, factors[k - 1].id, factor.id) &&
+                            !is_value_at_what_is_known(reading, factors[k - 1].id, factor.id) &&
                             std::ranges::none_of(syntax.children(factor.id), is_declared_argument);
     if (!only_shows) kept.push_back(factor);
   }

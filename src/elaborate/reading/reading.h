@@ -97,6 +97,8 @@ struct Reading {
     std::optional<Obstacle> belongs;  // a letter was taken for a part of a vector: see ReadingRules::apart
     bool may_be_length = false;       // as `ReadingRules::lengths_of_other_sections` would read it
     std::optional<Obstacle> applied;  // a bracket can be a factor or an argument: see OpenBracket
+    bool applied_elsewhere =
+        false;  // it looks like a factor, but the section writes the letter as a function
     std::vector<SymbolId> unknown_changes;  // differentiated though nothing says whether they change: such a
                                             // statement may be proved, never refuted
     std::set<std::string> positions;        // the ways in which it writes the position
