@@ -50,7 +50,8 @@ constexpr auto verbs = std::to_array<std::string_view>({"varies",
 /// held.
 constexpr auto words_of_dependence = std::to_array<std::string_view>(
     {"depend on", "depends on", "depend only on", "depends only on", "depending on", "dependent on", "vary",
-     "varies", "varying", "function of", "functions of", "not constant", "not really constant", "dependent"});
+     "varies", "varying", "function of", "functions of", "not constant", "not really constant", "dependent",
+     "proportional", "\\propto"});
 
 /// Of a letter they say that it changes, of a thing mostly that it moves: "so that $T$ rises", "$k$ does not
 /// depend on $x$, but $c$ does".

@@ -21,13 +21,8 @@ constexpr auto words_of_levels = std::to_array<std::string_view>(
     {"levels", "quantum", "eigen", "harmonics", "harmonic oscillator", "standing wave", "normal mode",
      " modes", "ground state", "excited", "overtone", "orbits", "square well", "infinite well",
      "bound states", "sequence", "iterat", "recursion"});
-constexpr auto words_apart = std::to_array<std::string_view>(
-    {"amplitude", "initial", "constant", "reference", "scale", "rest ", "unit", "field", "applied",
-     "external", "particle", "medium", "natural frequency", "is the", "denotes", "offset", "threshold",
-     "background"});
-constexpr auto words_of_members =
-    std::to_array<std::string_view>({"ground", "level", "state", "lowest", "excited", "fundamental", "first",
-                                     "second", "third", "mode", "harmonic", "overtone"});
+constexpr auto words_of_members = std::to_array<std::string_view>(
+    {"ground", "level", "state", "lowest", "excited", "fundamental", "mode", "harmonic", "overtone"});
 
 [[nodiscard]] std::string_view behind_spacing(std::string_view text) {
   for (;;) {
@@ -109,7 +104,8 @@ void see_words_of_counting(std::string_view around, CountingLetter& counting) {
   if (from_0 || words.find("positive") != words.npos) begin_with(counting, from_0 ? 0 : 1);
 }
 
-/// `$E_0$` of "the amplitude $E_0$": not what the words call a level or a state.
+/// `$E_0$` of "the rest energy $E_0$", "two bodies with $E_1$ and $E_2$": not what the words call a level or
+/// a state.
 void see_quantity_apart(std::string_view text, std::size_t bar, Evidence& evidence) {
   std::size_t end = bar + 1;
   const bool braced = end < text.size() && text[end] == '{';
@@ -131,7 +127,7 @@ void see_quantity_apart(std::string_view text, std::size_t bar, Evidence& eviden
   if (const auto stop = before.find_last_of(".;:"); stop != before.npos) before = before.substr(stop);
   behind = behind.substr(0, behind.find_first_of(".;:"));
   const std::string words = lowered_line(before) + " " + lowered_line(behind);
-  if (!holds_any(words, words_apart) || holds_any(words, words_of_members)) return;
+  if (holds_any(words, words_of_members)) return;  // "the ground state has $E_1$"
   evidence.quantities_apart.insert(name);
 }
 
