@@ -226,11 +226,13 @@ struct Reach {
 bool speaks_of_another_thing_since(const RowPlace& place, std::size_t sentence) {
   const std::size_t here = beside(place).sentence;
   const auto is_its_own = [](std::string_view word) { return word != "with" && has_own_words(word); };
-  return std::ranges::any_of(place.notes.prose.sentences, [&](const ProseSentence& each) {
-    if (each.number <= sentence || each.number > here) return false;
-    const std::string text = lowered(each.text);
-    return std::ranges::any_of(words_of(text), is_its_own);
-  });
+  const std::vector<ProseSentence>& sentences = place.notes.prose.sentences;
+  auto each = std::ranges::upper_bound(sentences, sentence, {}, &ProseSentence::number);
+  for (; each != sentences.end() && each->number <= here; ++each) {
+    const std::string text = lowered(each->text);
+    if (std::ranges::any_of(words_of(text), is_its_own)) return true;
+  }
+  return false;
 }
 
 /// Above in this section or one around it; of earlier sections, what is not said for a case or an example. A
