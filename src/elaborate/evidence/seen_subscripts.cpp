@@ -21,8 +21,9 @@ constexpr auto words_of_levels = std::to_array<std::string_view>(
     {"levels", "quantum", "eigen", "harmonics", "harmonic oscillator", "standing wave", "normal mode",
      " modes", "ground state", "excited", "overtone", "orbits", "square well", "infinite well",
      "bound states", "sequence", "iterat", "recursion"});
-constexpr auto words_of_members = std::to_array<std::string_view>(
-    {"ground", "level", "state", "lowest", "excited", "fundamental", "mode", "harmonic", "overtone"});
+constexpr auto words_of_members =
+    std::to_array<std::string_view>({"ground", "level", "state", "lowest", "excited", "fundamental", "mode",
+                                     "harmonic", "overtone", "between", "transition"});
 
 [[nodiscard]] std::string_view behind_spacing(std::string_view text) {
   for (;;) {

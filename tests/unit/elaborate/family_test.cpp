@@ -69,5 +69,6 @@ TEST_CASE("words set a quantity apart from the members", "[family]") {
   CHECK(said("The natural frequency is $\\omega_{0}$.").quantities_apart.contains("\\omega_{0}"));
   CHECK(said("with $E_1 = 3$").quantities_apart.contains("E_{1}"));
   CHECK_FALSE(said("the ground state energy $E_0$").quantities_apart.contains("E_{0}"));
+  CHECK(said("Two bodies with $E_1$ and $E_2$ meet.").quantities_apart.contains("E_{1}"));
   CHECK_FALSE(said("between $E_2$ and $E_1$").quantities_apart.contains("E_{1}"));
 }
