@@ -520,11 +520,9 @@ std::optional<std::vector<std::string>> variables_of(const WrittenSymbol& symbol
     return std::ranges::all_of(each, [](const std::string& letter) { return is_usual_coordinate(letter); });
   };
   // `f(\varepsilon) = …`, `f(\mu)`: the letter that it is written with; `u(y)`, `u(h)`: that is a coordinate.
-  if (plain.size() > 1) {
-    const bool written = std::ranges::any_of(plain, all_run);
-    std::erase_if(plain,
-                  [&](const auto& each) { return !(written ? all_run(each) : are_coordinates(each)); });
-  }
+  if (plain.size() > 1 && std::ranges::any_of(plain, all_run))
+    std::erase_if(plain, [&](const auto& each) { return !all_run(each); });
+  if (plain.size() > 1) std::erase_if(plain, [&](const auto& each) { return !are_coordinates(each); });
   if (plain.size() != 1) return std::nullopt;
   const std::vector<std::string>& variables = plain.front();
   const auto is_running = [&](const std::string& each) {
