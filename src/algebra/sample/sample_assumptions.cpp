@@ -74,6 +74,23 @@ class Residual {
     return false;
   }
 
+  /// Makes the residual 0 by two numbers if it is of second degree in them and a curve with rational points:
+  /// with rational asymptotes, as `E^2 - p^2c^2 - m^2c^4` in E and p, or where the second number alone does,
+  /// as y in `x^2/a^2 + y^2/b^2 - 1`.
+  [[nodiscard]] bool solve_for_both(const Coordinate& one, const Coordinate& other) const {
+    const Rational before[] = {point_[one], point_[other]};
+    try {
+      if (solve_along_asymptote(one, other) || solve_from_a_point(one, other) ||
+          solve_from_a_point(other, one))
+        return true;
+    } catch (const PointRejected&) {
+      // not a polynomial in these numbers
+    }
+    point_.set(one, before[0]);
+    point_.set(other, before[1]);
+    return false;
+  }
+
   /// The value of the number at which the residual is 0, and how it rises; none where it is not linear in it.
   struct Zero {
     Rational at;
@@ -107,6 +124,66 @@ class Residual {
     return now();
   }
 
+  [[nodiscard]] Rational with_both(const Coordinate& one, const Rational& x, const Coordinate& other,
+                                   const Rational& y) const {
+    point_.set(one, x);
+    return with(other, y);
+  }
+
+  /// a + bx + cx^2
+  struct Quadratic {
+    Rational constant;
+    Rational linear;
+    Rational square;
+  };
+
+  /// Through its values at 0, 1 and -1.
+  static Quadratic quadratic_through(const Rational& at_0, const Rational& at_1, const Rational& at_minus_1) {
+    return {at_0, (at_1 - at_minus_1) / 2, (at_1 + at_minus_1) / 2 - at_0};
+  }
+
+  static std::vector<Rational> rational_roots(const Quadratic& of) {
+    Rational root;
+    const Rational discriminant = of.linear * of.linear - 4 * of.constant * of.square;
+    if (cln::zerop(of.square) || cln::minusp(discriminant) || !cln::sqrtp(discriminant, &root)) return {};
+    return {(root - of.linear) / (2 * of.square), (-root - of.linear) / (2 * of.square)};
+  }
+
+  /// Along the directions of the asymptotes the residual is linear.
+  [[nodiscard]] bool solve_along_asymptote(const Coordinate& one, const Coordinate& other) const {
+    const Rational x = point_[one];
+    const Rational y = point_[other];
+    const auto at = [&](const Rational& dx, const Rational& dy) {
+      return with_both(one, x + dx, other, y + dy);
+    };
+    const Rational here = at(0, 0);
+    const Rational of_one = (at(1, 0) + at(-1, 0)) / 2 - here;
+    const Rational of_other = (at(0, 1) + at(0, -1)) / 2 - here;
+    const Rational of_both = at(1, 1) - at(1, 0) - at(0, 1) + here;
+    for (const Rational& slope : rational_roots({of_other, of_both, of_one})) {
+      const Rational rise = at(slope, 1) - here;
+      if (cln::zerop(rise)) continue;
+      const Rational steps = -here / rise;
+      if (cln::zerop(at(slope * steps, steps))) return true;
+    }
+    return false;
+  }
+
+  /// Where the first number is 0, the second may have a rational value; a line through this point meets the
+  /// curve once more.
+  [[nodiscard]] bool solve_from_a_point(const Coordinate& one, const Coordinate& other) const {
+    const auto at_0 = [&](const Rational& y) { return with_both(one, 0, other, y); };
+    for (const Rational& y : rational_roots(quadratic_through(at_0(0), at_0(1), at_0(-1)))) {
+      for (const int slope : {2, -3, 1}) {  // not 1 first: on a circle that leads to where the other is 0
+        const auto along = [&](const Rational& x) { return with_both(one, x, other, y + slope * x); };
+        const Quadratic line = quadratic_through(along(0), along(1), along(-1));
+        if (!cln::zerop(line.constant) || cln::zerop(line.linear) || cln::zerop(line.square)) continue;
+        if (cln::zerop(along(-line.linear / line.square))) return true;
+      }
+    }
+    return false;
+  }
+
   /// Nothing: there is no value.
   [[nodiscard]] std::optional<Rational> value_with(const Coordinate& at, const Rational& value) const {
     try {
@@ -134,6 +211,24 @@ class Residual {
   const Equation& equation_;
   const Place& place_;
 };
+
+/// Makes the residual 0 by one of the numbers, or by two; says which, or none.
+std::vector<Coordinate> numbers_that_solve(const Residual& residual, std::span<const Coordinate> numbers) {
+  for (const Coordinate& at : numbers) {
+    if (residual.solve_for(at, 0)) return {at};
+  }
+  for (const Coordinate& at : numbers) {
+    if (residual.solve_quotient_for(at)) return {at};
+  }
+  constexpr std::size_t most_paired = 6;
+  const std::size_t paired = std::min(numbers.size(), most_paired);
+  for (std::size_t i = 0; i < paired; ++i) {
+    for (std::size_t j = i + 1; j < paired; ++j) {
+      if (residual.solve_for_both(numbers[i], numbers[j])) return {numbers[i], numbers[j]};
+    }
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -305,29 +400,22 @@ void AssumptionSolver::solve_derivatives(Search& search, int order) const {
 }
 
 /// The components one after the other, each for any one number in which it is linear, or a quotient of two
-/// linear functions.
+/// linear functions; else for two in which it is of second degree.
 bool AssumptionSolver::solve_place_by_place(Search& search, std::size_t assumption) const {
   search.evaluator.look_at(search.point);
   for (const Place& place : search.evaluator.places(equation(assumption))) {
     const Residual residual(search.evaluator, search.point, equation(assumption), place);
     if (cln::zerop(residual.now())) continue;
-    const auto solves = [&](const Coordinate& at, bool quotient) {
-      const bool owned = std::ranges::any_of(search.owned, [&](const Owned& each) { return each.at == at; });
-      if (owned) return false;
-      return quotient ? residual.solve_quotient_for(at) : residual.solve_for(at, 0);
-    };
-    const std::vector<Coordinate> numbers = candidates(search.point, assumption, search.attempt);
-    bool solved = false;
-    for (const bool quotient : {false, true}) {
-      const auto found =
-          std::ranges::find_if(numbers, [&](const Coordinate& at) { return solves(at, quotient); });
-      if (found == numbers.end()) continue;
-      if (bit_size(search.point[*found]) > largest_solved) return false;
-      search.owned.push_back({*found, assumption});
-      solved = true;
-      break;
+    std::vector<Coordinate> numbers = candidates(search.point, assumption, search.attempt);
+    std::erase_if(numbers, [&](const Coordinate& at) {
+      return std::ranges::any_of(search.owned, [&](const Owned& each) { return each.at == at; });
+    });
+    const std::vector<Coordinate> changed = numbers_that_solve(residual, numbers);
+    if (changed.empty()) return false;
+    for (const Coordinate& at : changed) {
+      if (bit_size(search.point[at]) > largest_solved) return false;
+      search.owned.push_back({at, assumption});
     }
-    if (!solved) return false;
   }
   return true;
 }

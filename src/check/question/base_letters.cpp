@@ -79,6 +79,16 @@ bool has_rates(const ExprTree& tree, const std::vector<Equation>& equations,
   });
 }
 
+bool is_assumed_of(const ExprTree& tree, const NameScope& scope, SymbolId letter,
+                   const NamedAssumption* but) {
+  const auto is_it = [&](SymbolId each) { return base_of(tree.symbols, each) == letter; };
+  return std::ranges::any_of(scope.assumptions, [&](const NamedAssumption& assumption) {
+    if (&assumption == but) return false;
+    const Equation& equation = assumption.equation;
+    return std::ranges::any_of(symbols_reached(tree, scope, {equation.left, equation.right}), is_it);
+  });
+}
+
 bool is_joined(const ExprTree& tree, const NameScope& scope, const Equation& equation) {
   const ExprNode& left = tree[equation.left];
   if (equation.relation != Relation::equal || left.op != Op::symbol || left.slot_count != 1) return false;

@@ -49,6 +49,10 @@ struct Orders {
 [[nodiscard]] bool has_rates(const ExprTree& tree, const std::vector<Equation>& equations,
                              const std::optional<Variable>& letter);
 
+/// Does an assumption other than `but` speak of this letter or its rates?
+[[nodiscard]] bool is_assumed_of(const ExprTree& tree, const NameScope& scope, SymbolId letter,
+                                 const NamedAssumption* but = nullptr);
+
 /// One of three rules for the components of a derivative, which make a definition together.
 [[nodiscard]] bool is_joined(const ExprTree& tree, const NameScope& scope, const Equation& equation);
 

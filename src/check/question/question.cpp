@@ -44,12 +44,14 @@ class Preparation {
     for (int k = 0; k < order_; ++k) claim = derived(claim, By::small);
     prepared_.question.tree = &tree_;
     prepared_.question.claim = claim;
+    row_ = tree_[claim.left].span;
     follow(claim);
     for (const ExprId each : also) follow(Equation{.left = each, .right = each});
     letter_ = only_letter_differentiated_by(tree_, reached_);
-    for (const SymbolId symbol : reached_) highest_reached_[base_of(symbol)].raise_to(orders_of(symbol));
-    for (const SymbolId symbol : reached_)
+    for (const SymbolId symbol : reached_) {
+      highest_reached_[base_of(symbol)].raise_to(orders_of(symbol));
       highest_order_ = std::max(highest_order_, orders_of(symbol).total());
+    }
     if (precision_ == Precision::small_order) add_small();
     for (const int beyond : {0, slack_}) {
       beyond_ = beyond;
@@ -129,7 +131,7 @@ class Preparation {
   /// Does an assumption speak of what the rate is of, and the question of either?
   bool bears(const NamedDefinition& rule) {
     const SymbolId rate = rule.definition.symbol;
-    if (orders_of(rate).total() == 0 || !is_assumed_of(base_of(rate), nullptr)) return false;
+    if (orders_of(rate).total() == 0 || !is_assumed_of(tree_, names_.scope, base_of(rate))) return false;
     return is_reached(base_of(rate)) ||
            std::ranges::any_of(symbols_in(tree_, rule.definition.body),
                                [this](SymbolId each) { return is_reached(base_of(each)); });
@@ -162,7 +164,7 @@ class Preparation {
     for (const SymbolId symbol : symbols_of(equation)) {
       const auto kind = dependence(symbol, By::time).kind;
       if (kind == Dependence::Kind::varies && !definition_of(symbol, 0))
-        return is_assumed_of(base_of(symbol), &assumption) ? beyond_ : 0;
+        return is_assumed_of(tree_, names_.scope, base_of(symbol), &assumption) ? beyond_ : 0;
       constants += kind == Dependence::Kind::constant ? 1 : 0;
     }
     return std::clamp(constants - 1, beyond_, most_compared);
@@ -261,9 +263,7 @@ class Preparation {
     }
     for (const SymbolId constant : value->taken_constant) {
       note_unknown(constant);
-      prepared_.conventions.push_back(fmt::format("`{}` does not change with `{}`",
-                                                  tree_.symbols[constant].name,
-                                                  tree_.symbols[integral.variable].name));
+      note_held(constant, integral.variable);
     }
     for (Equation& condition : value->conditions) {
       conditions_.push_back(std::move(condition));
@@ -281,9 +281,8 @@ class Preparation {
     const auto found =
         value_of_average(tree_, names_, symbol, [this](ExprId inside) { return opened(inside); });
     if (!found) return std::nullopt;
-    for (const std::string& each : found->conventions) {
-      if (!is_one_of(each, prepared_.conventions)) prepared_.conventions.push_back(each);
-    }
+    std::ranges::copy_if(found->conventions, std::back_inserter(prepared_.conventions),
+                         [this](const auto& each) { return !is_one_of(each, prepared_.conventions); });
     return FoundDefinition{{symbol, {}, no_particle, found->value}, &by_linearity, false};
   }
 
@@ -339,7 +338,7 @@ class Preparation {
             .may_run = [this](SymbolId each, bool in_time) { return may_run(each, in_time); },
             .is_held =
                 [this](const FoundDefinition& of, SymbolId each, const Variable& by) {
-                  return is_parameter(names_, tree_, each, by, along_which(names_, of.along, by));
+                  return is_parameter(names_, tree_, each, by, along_which(names_, of.along, by), row_);
                 },
             .claim = prepared_.question.claim};
   }
@@ -414,8 +413,8 @@ class Preparation {
       if (integrals_.is_bound(symbol)) return Dependence{Dependence::Kind::constant};
       const Dependence dependence = this->dependence(symbol, by);
       const bool varies = dependence.kind == Dependence::Kind::varies;
-      if (varies && is_parameter(names_, tree_, symbol, by, along)) {
-        note_parameter(symbol, along);
+      if (varies && is_parameter(names_, tree_, symbol, by, along, row_)) {
+        note_parameter(symbol, along[0]);
         note_unknown(symbol);  // nothing is refuted by a convention
         return Dependence{Dependence::Kind::constant};
       }
@@ -436,11 +435,15 @@ class Preparation {
     if (!is_one_of(symbol, prepared_.unknown_changes)) prepared_.unknown_changes.push_back(symbol);
   }
 
-  void note_parameter(SymbolId symbol, const std::vector<SymbolId>& along) {
-    auto held = fmt::format("`{}` does not change with `{}`", tree_.symbols[symbol].name,
-                            tree_.symbols[along[0]].name);
-    if (!is_one_of(held, prepared_.conventions)) prepared_.conventions.push_back(std::move(held));
+  void note_parameter(SymbolId symbol, SymbolId along) {
+    note_held(symbol, along);
     prepared_.parameters.push_back(symbol);
+  }
+
+  void note_held(SymbolId symbol, SymbolId along) {
+    auto held =
+        fmt::format("`{}` does not change with `{}`", tree_.symbols[symbol].name, tree_.symbols[along].name);
+    if (!is_one_of(held, prepared_.conventions)) prepared_.conventions.push_back(std::move(held));
   }
 
   /// A derivative of something that does not change.
@@ -468,9 +471,10 @@ class Preparation {
 
   Orders orders_of(SymbolId symbol) const { return rigor::orders_of(tree_.symbols[symbol], letter_); }
 
-  /// An equation with a derivative by x is one for all x.
+  /// An equation with a derivative by x is one for all x, and so is `y^2 = ax` beside `dy/dx`.
   [[nodiscard]] bool runs_with_letter(const std::vector<SymbolId>& symbols) const {
-    return std::ranges::any_of(symbols, [&](SymbolId own) { return orders_of(own).letter > 0; });
+    return std::ranges::any_of(symbols, [&](SymbolId own) { return orders_of(own).letter > 0; }) ||
+           (letter_ && is_one_of(letter_->letter, symbols));
   }
 
   /// What an equation is about, definitions unfolded.
@@ -527,7 +531,10 @@ class Preparation {
     }
     if (!symbols.empty() && wanted.time < 0 && wanted.space < 0 && wanted.letter < 0) return false;
     if (!runs_with_letter(symbols)) wanted.letter = 0;
-    if (named != nullptr && named->rate_of && !is_spoken_of(*named->rate_of, named)) return false;
+    const bool of_a_rate = named != nullptr && named->rate_of;
+    if (of_a_rate && !is_reached(*named->rate_of) &&
+        !is_assumed_of(tree_, names_.scope, *named->rate_of, named))
+      return false;
     // Derivatives beyond what was reached can speak of it, as the second one of x² = 0 does of ẋ.
     if (wanted.time >= 0 && highest.time > 0) wanted.time += beyond_;
     if (wanted.space >= 0 && highest.space > 0) wanted.space += beyond_;
@@ -555,19 +562,6 @@ class Preparation {
     for (int letter = 1; letter <= std::clamp(wanted.letter, 0, more); ++letter)
       grew = take(equation, named, {0, 0, letter}, own_order) || grew;
     return grew;
-  }
-
-  /// Mentioned by the claim, as far as it was followed, or by another assumption than this one.
-  bool is_spoken_of(SymbolId symbol, const NamedAssumption* by_this) {
-    return is_reached(symbol) || is_assumed_of(symbol, by_this);
-  }
-
-  bool is_assumed_of(SymbolId symbol, const NamedAssumption* by_this) {
-    const auto is_it = [&](SymbolId each) { return base_of(each) == symbol; };
-    return std::ranges::any_of(names_.scope.assumptions, [&](const NamedAssumption& other) {
-      if (&other == by_this) return false;
-      return std::ranges::any_of(symbols_of(other.equation), is_it);
-    });
   }
 
   bool take(const Equation& equation, const NamedAssumption* named, Orders orders, int own_order) {
@@ -616,7 +610,8 @@ class Preparation {
       result.indices.insert(result.indices.begin(), tree_.add_index("s"));
       axis = {0, result.indices.front()};
     }
-    Differentiator differentiate = differentiator(by, axis);
+    const bool by_letter = by.by == By::letter;
+    Differentiator differentiate = differentiator(by, axis, std::vector(by_letter ? 1 : 0, by.letter));
     result.left = differentiate.derivative_or_zero(equation.left);
     result.right = differentiate.derivative_or_zero(equation.right);
     return result;
@@ -662,6 +657,7 @@ class Preparation {
   Precision precision_;
   int order_;
   Prepared prepared_;
+  Span row_;  // of the claim
   DerivativeBudget budget_;
   std::set<SymbolId> reached_;
   std::map<SymbolId, Orders> highest_reached_;  // of each letter and its derivatives

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <ranges>
 #include <set>
 #include <span>
 #include <string>
@@ -56,10 +57,10 @@ bool shows_change(const Names& names, SymbolId symbol, SymbolId variable) {
     return other == letter || (!usual.contains(letter) && usual.contains(other));
   };
   const auto others = evidence.tied.find(changing_name(own->base));
-  return others != evidence.tied.end() && std::ranges::any_of(others->second, stands_for);
+  return others != evidence.tied.end() && std::ranges::any_of(others->second | std::views::keys, stands_for);
 }
 
-bool is_tied_to(const Names& names, SymbolId symbol, SymbolId variable) {
+bool is_tied_to(const Names& names, SymbolId symbol, SymbolId variable, std::optional<Span> but_by) {
   const NameKey* own = key_of(names.symbols, symbol);
   const NameKey* of = key_of(names.symbols, variable);
   if (own == nullptr || of == nullptr) return false;
@@ -70,17 +71,18 @@ bool is_tied_to(const Names& names, SymbolId symbol, SymbolId variable) {
     if (reached[k] == variable_letter) return true;
     const auto others = tied.find(reached[k]);
     if (others == tied.end()) continue;
-    for (const std::string& other : others->second) {
-      if (!is_one_of(other, reached)) reached.push_back(other);
+    for (const auto& [other, rows] : others->second) {
+      const bool by_this_alone = but_by && !rows.several && cover(rows.first, *but_by) == rows.first;
+      if (!by_this_alone && !is_one_of(other, reached)) reached.push_back(other);
     }
   }
   return false;
 }
 
-bool counts_along(const Names& names, SymbolId symbol, SymbolId counter) {
+bool counts_along(const Names& names, SymbolId symbol, SymbolId counter, std::optional<Span> but_by) {
   const NameKey* own = key_of(names.symbols, symbol);
   const NameKey* of = key_of(names.symbols, counter);
-  return own == nullptr || of == nullptr || is_tied_to(names, symbol, counter) ||
+  return own == nullptr || of == nullptr || is_tied_to(names, symbol, counter, but_by) ||
          names.symbols.evidence->said_to_change.contains(own->base) ||  // "$q$ depends on $n$"
          is_function_of(*names.symbols.evidence, own->base, of->base);
 }
@@ -109,13 +111,20 @@ bool is_function_of_only(const Names& names, const ExprTree& tree, SymbolId symb
 std::vector<SymbolId> runs_along(const Names& names, const ExprTree& tree, const Definition& function) {
   const NameKey* own = key_of(names.symbols, function.symbol);
   if (own == nullptr) return {};
+  const Evidence& evidence = *names.symbols.evidence;
+  const std::string name = changing_name(own->base);
+  std::set<std::string> variables;
+  for (const auto& [function_name, written] : evidence.running) {
+    if (changing_name(function_name) == name) variables.insert(written.begin(), written.end());
+  }
+  const bool held = is_declared_constant(names.scope, function.symbol);  // then its letters follow each other
+  for (const auto& [by, functions] : evidence.by) {  // `dP/dR` beside `P = U^2R/(R + r)^2`
+    if (by != "t" && functions.contains(name) && !held) variables.insert(by);
+  }
   std::vector<SymbolId> along;
-  for (const auto& [name, variables] : names.symbols.evidence->running) {
-    if (changing_name(name) != changing_name(own->base)) continue;
-    for (const SymbolId letter : symbols_in(tree, function.body)) {
-      const NameKey* key = key_of(names.symbols, letter);
-      if (key != nullptr && key->rank == 0 && variables.contains(key->base)) along.push_back(letter);
-    }
+  for (const SymbolId letter : symbols_in(tree, function.body)) {
+    const NameKey* key = key_of(names.symbols, letter);
+    if (key != nullptr && key->rank == 0 && variables.contains(key->base)) along.push_back(letter);
   }
   return along;
 }
@@ -133,10 +142,11 @@ std::vector<SymbolId> along_which(const Names& names, const std::vector<SymbolId
 }
 
 bool is_parameter(const Names& names, const ExprTree& tree, SymbolId symbol, const Variable& by,
-                  std::span<const SymbolId> along) {
+                  std::span<const SymbolId> along, Span row) {
   const Evidence& evidence = *names.symbols.evidence;
   const NameKey* own = key_of(names.symbols, symbol);
   if (own == nullptr || along.empty() || evidence.speaks_of_dependence) return false;
+  if (by.held) return false;  // who names what is held holds nothing else
   if (tree.symbols[symbol].derivation || is_function_value(names, tree, symbol)) return false;
   if (const auto body = body_of_definition(names.scope, symbol))
     return by.by == By::letter && evidence.speaks_of_conservation &&
@@ -146,8 +156,9 @@ bool is_parameter(const Names& names, const ExprTree& tree, SymbolId symbol, con
   const auto functions = evidence.functions.find(own->base);  // "the Lorentz factor $\gamma(v)$"
   const bool is_function = functions != evidence.functions.end() && !functions->second.empty();
   return !changes_in_time && !is_function && !evidence.with_primes.contains(changing_name(own->base)) &&
-         std::ranges::none_of(
-             along, [&](SymbolId letter) { return symbol == letter || counts_along(names, symbol, letter); });
+         std::ranges::none_of(along, [&](SymbolId letter) {
+           return symbol == letter || counts_along(names, symbol, letter, row);
+         });
 }
 
 bool hides_variable(const Names& names, const ExprTree& tree, const Integral& integral, ExprId opened) {

@@ -45,9 +45,12 @@ bool means_the_same(const RowPlace& place, const StatedLaw& stated) {
 }
 
 /// `\omega_0 = 5.0\,\mathrm{s^{-1}}`: a letter and a number, of an example. A commutator that is a number
-/// holds for good.
+/// holds for good, and so does `R + T = 1`.
 bool is_value(const ExprTree& tree, const Equation& equation) {
   if (has_operators(tree, equation.left) || has_operators(tree, equation.right)) return false;
+  const auto is_pure = [&](ExprId side) { return symbols_in(tree, side).empty(); };
+  const bool pure = is_pure(equation.left) || is_pure(equation.right);
+  if (pure && written_letters(tree, equation).size() > 1) return false;
   const auto is_number = [&](ExprId side) { return !tree.is_zero_literal(side) && is_measured(tree, side); };
   return is_number(equation.left) || is_number(equation.right);
 }

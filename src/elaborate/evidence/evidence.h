@@ -62,6 +62,12 @@ struct CountingLetter {
   bool some_only = false;    // "for odd $n$", `n = 1.5`
 };
 
+/// The rows that tie one letter to another.
+struct TyingRows {
+  Span first;
+  bool several = false;
+};
+
 struct Evidence {
   std::set<std::string> vectors;   // bold or under an arrow somewhere
   std::set<std::string> crossed;   // factors of a cross product
@@ -87,8 +93,9 @@ struct Evidence {
   bool speaks_of_conservation = false;  // "conserved", "constant": then l of `l = mr^2\dot\theta` is held
   bool speaks_of_dependence = false;    // "depends on", "varies", "not constant": of a letter or not
   std::set<std::string> changing;       // letters of which a rate is written, or that have an argument
-  std::map<std::string, std::set<std::string>> tied;  // m of `m = \mu t`, with what stands on the other sides
-  std::set<std::string> said_to_change;               // "$U$ depends on"
+  std::map<std::string, std::map<std::string, TyingRows>>
+      tied;                              // m of `m = \mu t`, with what stands on the other sides
+  std::set<std::string> said_to_change;  // "$U$ depends on"
   std::set<std::string> may_change;  // these, what is tied to them or to the time, and what has an argument
   std::set<std::string> may_change_in_time;  // the same, but for x, y, z and r that nothing shows to move
   bool d_is_a_letter = false;                // `F = Ed`, "the distance $d$": then `dU` may be a product

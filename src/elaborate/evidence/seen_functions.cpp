@@ -368,13 +368,29 @@ bool is_value_of_function(const SyntaxTree& syntax, SyntaxId term, const Evidenc
   return false;
 }
 
+Span row_of(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
+  return cover(syntax[sides.front()].span, syntax[sides.back()].span);
+}
+
+void tie(Evidence& evidence, const std::string& letter, const std::set<std::string>& others, Span row) {
+  std::map<std::string, TyingRows>& tied = evidence.tied[letter];
+  for (const std::string& other : others) {
+    const auto [known, is_new] = tied.try_emplace(other, TyingRows{row});
+    if (!is_new && known->second.first != row) known->second.several = true;
+  }
+}
+
 /// `Cd = \epsilon A` says of none of its letters alone what it is, so that any of them may follow the others.
 /// An identity, with the same letters on both sides, a law of rates, a sum and an integral do not. Initial
 /// values follow nothing.
 void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
   static constexpr std::string_view of_states[] = {"N", "n", "R", "k", "k_B"};  // of `pV = NkT`: constants
   std::vector<std::set<std::string>> letters;
+  std::set<std::string> squared;  // c of `uv = c^2`
   for (const SyntaxId side : sides) {
+    const SyntaxId letter = letter_of_side(syntax, side);
+    if (syntax[side].kind == SyntaxKind::power && syntax[letter].kind == SyntaxKind::symbol)
+      squared.insert(changing_name(syntax.symbol(letter)));
     std::set<std::string>& own = letters.emplace_back();
     for (const SyntaxId id : nodes_below(syntax, {side})) {
       const SyntaxKind kind = syntax[id].kind;
@@ -390,8 +406,8 @@ void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
   }
   if (letters.size() != 2 || letters[0] == letters[1]) return;
   letters[0].merge(letters[1]);
-  for (const std::string& letter : letters[0])
-    evidence.tied[letter].insert(letters[0].begin(), letters[0].end());
+  std::erase_if(letters[0], [&](const std::string& letter) { return squared.contains(letter); });
+  for (const std::string& letter : letters[0]) tie(evidence, letter, letters[0], row_of(syntax, sides));
 }
 
 /// The letters of a side, but for what an integral between limits, a sum or an average runs over.
@@ -440,14 +456,15 @@ void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evid
   bool says_what_a_letter_is = false;
   for (const SyntaxId side : sides) {
     const SyntaxId letter = letter_of_side(syntax, side);
+    if (letter != side && side != sides.front() && syntax[side].kind == SyntaxKind::power)
+      continue;  // `uv = c^2`
     if (syntax[letter].kind != SyntaxKind::symbol || is_power_that_counts(syntax, side, sides)) continue;
     says_what_a_letter_is = true;
     const std::string name = changing_name(syntax.symbol(letter));
     if (name.ends_with("_0") && side != sides.front()) continue;  // `L\dot I + RI = V_0`
-    std::set<std::string>& tied = evidence.tied[name];
     for (const SyntaxId other : sides) {
-      if (other == side || is_value_at_a_number(syntax, other)) continue;
-      tied.merge(free_letters(syntax, other));
+      if (other != side && !is_value_at_a_number(syntax, other))
+        tie(evidence, name, free_letters(syntax, other), row_of(syntax, sides));
     }
   }
   if (!says_what_a_letter_is) see_mutual_ties(syntax, sides, evidence);
@@ -461,7 +478,7 @@ std::set<std::string> with_what_is_tied(std::set<std::string> changing, const Ev
     grew = false;
     for (const auto& [letter, others] : evidence.tied) {
       const bool changes =
-          std::ranges::any_of(others, [&](const std::string& other) { return changing.contains(other); });
+          std::ranges::any_of(others, [&](const auto& other) { return changing.contains(other.first); });
       grew = (changes && changing.insert(letter).second) || grew;
     }
   }

@@ -49,3 +49,27 @@ TEST_CASE("a known body keeps its particles", "[algebra]") {
   CHECK(again->particles == body->particles);
   CHECK(value_of(*again, r, 1) == value_of(*body, r, 1));
 }
+
+TEST_CASE("a curve of second degree with rational points has samples", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  const Named c = page.scalar("c");
+  const auto not_zero = [&](const Named& each) {
+    page.given(each, page.number("0"));
+    page.question.assumptions.back().relation = Relation::unequal;
+  };
+  SECTION("with asymptotes that have rational slopes") { page.given(c * c, a * a + b * b); }
+  SECTION("where one number alone is rational") { page.given(4 * a * a + 3 * b * b, page.number("9")); }
+  not_zero(a);
+  not_zero(b);
+  CHECK(satisfying_sample(page.question).has_value());
+}
+
+TEST_CASE("a curve of second degree without rational points has none", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  page.given(a * a + b * b, page.number("3"));
+  CHECK_FALSE(satisfying_sample(page.question).has_value());
+}
