@@ -2,9 +2,12 @@
 #include "check/law/from_laws.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <string>
 
 #include "algebra/words/operator_question.h"
 #include "check/law/bearing.h"
@@ -15,11 +18,14 @@
 #include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
+#include "expr/print/print_latex.h"
 
 namespace rigor {
 namespace {
 
 constexpr std::uint64_t most_work = 250'000;  // on all sets together, of the work that a step may take
+constexpr Limits limits_of_squares{
+    .expanded_terms = 20'000, .steps = 50'000, .sample_attempts = 1, .simplest_sample = false};
 constexpr std::uint64_t most_work_of_states = 1'500'000;  // where derivatives hold letters by name
 
 /// The row says again what a law says.
@@ -57,53 +63,94 @@ std::vector<Laws> promising_sets(const RowUnderLaws& row, const Laws& bearing, c
   return sets;
 }
 
-/// `\sqrt{2gh}`, `2\pi\sqrt{l/g}`: never negative.
-bool is_written_root(const ExprTree& tree, ExprId id) {
-  const ExprNode& node = tree[id];
-  if (node.op == Op::root) return true;
-  if (node.op != Op::multiply && node.op != Op::divide) return false;
-  bool root = false;
-  for (const ExprId child : tree.children(id)) {
-    const bool number = tree[child].op == Op::number ||
-                        (tree[child].op == Op::symbol && tree.symbols[tree[child].symbol].circle_number);
-    const bool one = !number && is_written_root(tree, child);
-    if (!number && !one) return false;
-    root = root || one;
+/// A product of letters, numbers and written roots: `2\pi r/v`, `A\sqrt{k/m}`.
+struct SignedProduct {
+  std::map<std::string, ExprId> odd = {};  // the letters and components that decide its sign, as printed
+  bool has_root = false;
+};
+
+/// Even powers do not count.
+void multiply_signs(std::map<std::string, ExprId>& signs, const std::map<std::string, ExprId>& by) {
+  for (const auto& entry : by) {
+    if (!signs.insert(entry).second) signs.erase(entry.first);
   }
-  return root;
+}
+
+/// Definitions are put in. Nothing: it is something else.
+std::optional<SignedProduct> as_signed_product(const ExprTree& tree, const NameScope& scope, ExprId id,
+                                               int deepest = 8) {
+  const ExprNode& node = tree[id];
+  if (node.op == Op::number) return SignedProduct{};
+  if (node.op == Op::root) return SignedProduct{.has_root = true};
+  if (node.op == Op::symbol) {
+    const Symbol& symbol = tree.symbols[node.symbol];
+    if (symbol.circle_number) return SignedProduct{};
+    if (node.rank > 0 || symbol.derivation || symbol.noncommuting || deepest == 0) return std::nullopt;
+    if (const auto body = body_of_definition(scope, node.symbol); body && node.slot_count == 0)
+      return as_signed_product(tree, scope, *body, deepest - 1);
+    return SignedProduct{.odd = {{print_latex(tree, id), id}}};
+  }
+  const bool even = node.op == Op::power && node.exponent % 2 == 0;
+  if (node.op != Op::multiply && node.op != Op::divide && node.op != Op::power) return std::nullopt;
+  SignedProduct product;
+  for (const ExprId child : tree.children(id)) {
+    const auto factor = as_signed_product(tree, scope, child, deepest);
+    if (!factor) return std::nullopt;
+    product.has_root = product.has_root || factor->has_root;
+    multiply_signs(product.odd, factor->odd);
+  }
+  if (even) product.odd.clear();
+  return product;
+}
+
+/// The letters that a row with a written root takes for positive: v of `v = \sqrt{2gh}`, and A with it of
+/// `v = A\sqrt{k/m}`. None may be said to be something but a root: that may be the other one.
+std::map<std::string, ExprId> positive_beside_a_root(const RowUnderLaws& row, const Laws& bearing) {
+  const Equation& own = row.claim.equation;
+  const auto left = as_signed_product(row.tree, row.names.scope, own.left);
+  const auto right = as_signed_product(row.tree, row.names.scope, own.right);
+  if (own.relation != Relation::equal || !left || !right || left->has_root == right->has_root) return {};
+  std::map<std::string, ExprId> letters = left->odd;
+  multiply_signs(letters, right->odd);
+  const auto is_said = [&](const auto& letter) {
+    const auto is_it = [&](ExprId side, ExprId other) {
+      if (row.tree[side].op != Op::symbol || print_latex(row.tree, side) != letter.first) return false;
+      const auto product = as_signed_product(row.tree, row.names.scope, other);
+      return !product || !product->has_root;
+    };
+    return std::ranges::any_of(bearing, [&](const PageLaw* law) {
+      return is_it(law->equation.left, law->equation.right) || is_it(law->equation.right, law->equation.left);
+    });
+  };
+  return std::ranges::any_of(letters, is_said) ? std::map<std::string, ExprId>{} : letters;
 }
 
 /// `u = \sqrt{2gh}` of `u^2/2 = gh`: the squares follow, and the root is the one that is not negative.
 std::optional<Judgement> takes_a_root(const RowUnderLaws& row, const Laws& bearing) {
-  const Equation& own = row.claim.equation;
-  const ExprNode left = row.tree[own.left];
-  const bool letter = left.op == Op::symbol && left.rank == 0 && left.slot_count == 0 &&
-                      !row.tree.symbols[left.symbol].derivation &&
-                      definition_of(row.names.scope, left.symbol) == nullptr;
-  if (own.relation != Relation::equal || !letter || !is_written_root(row.tree, own.right))
-    return std::nullopt;
-  const auto is_it = [&](ExprId side) {
-    return row.tree[side].op == Op::symbol && row.tree[side].symbol == left.symbol;
-  };
-  const bool is_said = std::ranges::any_of(
-      bearing, [&](const PageLaw* law) { return is_it(law->equation.left) || is_it(law->equation.right); });
-  if (is_said) return std::nullopt;  // it may be the other root
+  const std::map<std::string, ExprId> letters = positive_beside_a_root(row, bearing);
+  if (letters.empty()) return std::nullopt;
   const auto square = [&](ExprId side) {
     return row.tree.add({.op = Op::power, .span = row.tree[side].span, .exponent = 2}, std::span(&side, 1));
   };
   Claim squares = row.claim;
-  squares.equation.left = square(own.left);
-  squares.equation.right = square(own.right);
-  const std::string says = fmt::format("convention: `{}` is not negative, since a root is written for it",
-                                       row.tree.symbols[left.symbol].name);
-  const ExprId zero = row.tree.add_number(left.span, "0");
+  squares.equation.left = square(row.claim.equation.left);
+  squares.equation.right = square(row.claim.equation.right);
+  std::vector<std::string> names;
+  for (const auto& [name, letter] : letters) names.push_back(fmt::format("`{}`", name));
+  const std::string says =
+      fmt::format("convention: {} {} not negative, since a root is written for {}", fmt::join(names, " and "),
+                  names.size() == 1 ? "is" : "are", names.size() == 1 ? "it" : "them");
+  const ExprId zero = row.tree.add_number(row.claim.relation, "0");
   for (const Laws& set : sets_of(row.tree, bearing)) {
-    auto found = set.empty() ? std::nullopt : prove_from({row.tree, row.names, squares, row.cache}, set);
-    if (!found) continue;
-    Names positive = with_laws(row.tree, row.names, set);  // none of which may say that it is negative
-    assume(
-        positive.scope,
-        {{.left = zero, .right = own.left, .relation = Relation::less}, Origin{says, {}, std::nullopt}, 0});
+    std::optional<Judgement> found = set.empty()
+                                         ? judge(row.tree, row.names, squares, limits_of_squares, row.cache)
+                                         : prove_from({row.tree, row.names, squares, row.cache}, set);
+    if (!found || found->verdict != Verdict::proved || found->uses.empty()) continue;
+    Names positive = with_laws(row.tree, row.names, set);  // none of which may say that one is negative
+    for (const auto& [name, letter] : letters)
+      assume(
+          positive.scope,
+          {{.left = zero, .right = letter, .relation = Relation::less}, Origin{says, {}, std::nullopt}, 0});
     if (!sample_of_assumptions(row.tree, positive, {}, {}, row.cache)) continue;
     found->uses.push_back(says);
     return found;

@@ -364,6 +364,16 @@ class ProseReader {
     return sentence_.substr(begin, end - begin);
   }
 
+  /// "the reduced mass $\mu = …$", "its momentum is $p = …$"
+  bool names_mathematics() const {
+    const std::string word = word_before_mathematics();
+    if (is_named_quantity(word)) return true;
+    if (word != "is") return false;
+    const std::size_t begin = sentence_.find_last_of(".;:,$\n", sentence_.size() - 2) + 1;
+    const std::vector<std::string_view> clause = words_of(std::string_view(sentence_).substr(begin));
+    return std::ranges::any_of(clause, is_named_quantity);
+  }
+
   /// "and $L = T - V$", directly behind a display: what that says goes on here.
   bool goes_on_from_display() const {
     if (word_before_mathematics() != "and") return false;
@@ -409,8 +419,8 @@ class ProseReader {
       prose_.said.back().argument = argument_;
       prose_.said.back().at_place = at_place_;
       prose_.said.back().maths = texts_.size() - 1;
-      if (cue_ == Cue::none && is_named_quantity(word_before_mathematics())) {
-        prose_.said.back().cue = Cue::definition;  // "the reduced mass $\mu = …$"
+      if (cue_ == Cue::none && names_mathematics()) {
+        prose_.said.back().cue = Cue::definition;
         prose_.said.back().named = true;
       }
       if (cue_ == Cue::none && goes_on_from_display()) prose_.said.back().cue = Cue::definition;

@@ -88,6 +88,30 @@ std::string without_neutral_phrases(std::string text) {
   return text;
 }
 
+/// "orbit" of "orbits"
+std::string_view singular(std::string_view word) {
+  return word.size() > 3 && word.ends_with('s') ? word.substr(0, word.size() - 1) : word;
+}
+
+/// "For a circular orbit" below the heading "Circular orbits" names no case: the whole section is about it.
+std::string without_what_heading_says(std::string text, std::string_view heading) {
+  static constexpr std::array<std::string_view, 6> articles{"a", "an", "the", "any", "every", "such"};
+  std::vector<std::string_view> headed = words_of(heading);
+  std::ranges::transform(headed, headed.begin(), singular);
+  static constexpr std::string_view beginning = "for ";
+  for (auto at = text.find(beginning); at != std::string::npos; at = text.find(beginning, at + 1)) {
+    if (at > 0 && is_letter(text[at - 1])) continue;
+    const auto end = std::min(text.find_first_of(",;:.$\n", at), text.size());
+    const std::string phrase = text.substr(at + beginning.size(), end - at - beginning.size());
+    std::vector<std::string_view> words = words_of(phrase);
+    std::erase_if(words, [](std::string_view word) { return is_one_of(word, articles); });
+    const bool said =
+        std::ranges::all_of(words, [&](std::string_view word) { return is_one_of(singular(word), headed); });
+    if (said && !words.empty()) text.erase(at, end - at);
+  }
+  return text;
+}
+
 /// "Let $ be the distance", "let $ and $ denote their masses": what letters are called, so that nothing is
 /// supposed. The words from there on; all words where it says something else, such as "let $ be constant".
 std::string_view without_naming(std::string_view lead) {
@@ -119,7 +143,8 @@ bool is_conditional(const RowPlace& place, bool demands) {
   const std::string behind = beside.tail.substr(0, begin_of_reason(beside.tail));
   const std::string lead(clause_of(beside.lead));
   return (demands && word_that_demands(without_naming(lead))) ||
-         word_of_a_special_case(without_neutral_phrases(lead + " " + behind));
+         word_of_a_special_case(
+             without_neutral_phrases(without_what_heading_says(lead + " " + behind, lowered(place.section))));
 }
 
 bool is_of_a_case(const RowPlace& place) {

@@ -120,27 +120,29 @@ bool sets_letters_equal(const ExprTree& tree, const Equation& equation) {
   return bare && !names_a_rate(tree, equation);
 }
 
-/// The letters that are factors of a term, and the last one.
+/// The letters that are factors of a term, the first one and the last one.
 struct Factors {
   std::set<SymbolId> letters;
+  std::optional<SymbolId> beginning = {};
   std::optional<SymbolId> ending = {};
 };
 
 Factors factors_of_term(const ExprTree& tree, ExprId term) {
   if (tree[term].op == Op::divide) return factors_of_term(tree, tree.children(term)[0]);
-  if (tree[term].op == Op::symbol) return {{tree[term].symbol}, tree[term].symbol};
+  if (tree[term].op == Op::symbol) return {{tree[term].symbol}, tree[term].symbol, tree[term].symbol};
   Factors factors;
   if (tree[term].op != Op::multiply) return factors;
   for (const ExprId factor : tree.children(term)) {
     const Factors own = factors_of_term(tree, factor);
+    if (factor == tree.children(term).front()) factors.beginning = own.beginning;
     factors.letters.insert(own.letters.begin(), own.letters.end());
     factors.ending = own.ending;
   }
   return factors;
 }
 
-/// `H\psi = E\psi`, `Pu = Pv`: who does not cancel what ends the terms, or a capital, does not mean a product
-/// of numbers. `mg = ma` is one.
+/// `H\psi = E\psi`, `Pu = Pv`: who does not cancel what ends the terms, or a capital before one letter, does
+/// not mean a product of numbers. `mg = ma` and `mv^2/r = GMm/r^2` are some.
 bool keeps_an_operator(const RowPlace& place, const Equation& equation) {
   std::vector<Factors> terms;
   for (const ExprId side : {equation.left, equation.right}) {
@@ -152,11 +154,10 @@ bool keeps_an_operator(const RowPlace& place, const Equation& equation) {
   return std::ranges::any_of(terms.front().letters, [&](SymbolId each) {
     const NameKey* key = key_of(place.names.symbols, each);
     const bool capital = key != nullptr && is_capital_letter(without_labels(key->base));
-    const bool common =
-        std::ranges::all_of(terms, [&](const Factors& term) { return term.letters.contains(each); });
-    return common && (capital || std::ranges::any_of(terms, [&](const Factors& term) {
-                        return term.ending == std::optional(each);
-                      }));
+    return std::ranges::all_of(terms, [&](const Factors& term) { return term.ending == each; }) ||
+           (capital && std::ranges::all_of(terms, [&](const Factors& term) {
+              return term.beginning == each && term.letters.size() < 3;
+            }));
   });
 }
 

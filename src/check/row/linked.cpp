@@ -2,6 +2,7 @@
 // Rows that hang on others: `a = b \Rightarrow c = d`, `H = T + V, \text{ where } T = …`.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -9,12 +10,13 @@
 #include "check/place/place.h"
 #include "check/row/row.h"
 #include "check/word/prose_words.h"
+#include "check/word/words_behind.h"
 
 namespace rigor {
 namespace {
 
-/// "where", "with the abbreviation" after the display: what comes next says what its letters are. "With the
-/// solution" says something else.
+/// "where", "with the abbreviation", "with the reduced mass" after the display: what comes next says what its
+/// letters are. "With the solution" says something else.
 bool explains_display_above(const ProseBeside& beside) {
   static constexpr std::array<std::string_view, 3> openings{"where", "with", "here"};
   static constexpr std::array<std::string_view, 10> fillers{
@@ -23,10 +25,25 @@ bool explains_display_above(const ProseBeside& beside) {
   const auto above = beside.lead.rfind('\n');
   if (above == std::string::npos) return false;
   const std::vector<std::string_view> words = words_of(std::string_view(beside.lead).substr(above + 1));
-  return !words.empty() && is_one_of(words.front(), openings) &&
-         std::ranges::all_of(words.begin() + 1, words.end(), [](std::string_view word) {
-           return is_one_of(word, fillers) || is_one_of(word, openings);
-         });
+  if (words.empty() || !is_one_of(words.front(), openings)) return false;
+  constexpr std::size_t longest = 4;
+  if (words.size() <= longest && is_named_quantity(words.back())) return true;
+  return std::ranges::all_of(words.begin() + 1, words.end(), [](std::string_view word) {
+    return is_one_of(word, fillers) || is_one_of(word, openings);
+  });
+}
+
+/// K of `K`, `K^2` and `K(v)`: what a row says of its left side.
+std::optional<SyntaxId> name_on_left(const SyntaxTree& syntax, SyntaxId side) {
+  const auto is_symbol = [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::symbol; };
+  if (is_symbol(side)) return side;
+  const auto children = syntax.children(side);
+  const bool power = syntax[side].kind == SyntaxKind::power;
+  const bool applied = syntax[side].kind == SyntaxKind::term && children.size() == 2 &&
+                       children[1].joint == Joint::juxtaposed &&
+                       syntax[children[1].id].kind == SyntaxKind::group;
+  if ((!power && !applied) || !is_symbol(children[0].id)) return std::nullopt;
+  return children[0].id;
 }
 
 }  // namespace
@@ -39,11 +56,6 @@ bool is_said_to_explain(const RowPlace& place, const ParsedChain& parsed) {
 std::vector<DefinitionBehind> definitions_behind(const RowPlace& place, const ParsedChain& parsed) {
   std::vector<DefinitionBehind> behind;
   const SyntaxTree& syntax = place.notes.syntax;
-  const auto is_name = [&](SyntaxId side) {
-    return syntax[side].kind == SyntaxKind::symbol ||
-           (syntax[side].kind == SyntaxKind::power &&
-            syntax[syntax.child(side, 0)].kind == SyntaxKind::symbol);
-  };
   const std::set<std::string> letters = letters_written_in(syntax, parsed.sides);
   const auto uses = [&](const ParsedChain& chain) {
     return std::ranges::includes(letters, letters_written_in(syntax, {chain.sides[0]}));
@@ -52,7 +64,7 @@ std::vector<DefinitionBehind> definitions_behind(const RowPlace& place, const Pa
     for (const ParsedChain& chain : display.chains) {
       const bool later = chain.written.span.begin > parsed.written.span.begin;
       const bool names = !chain.written.relations.empty() && is_equality(chain.written.relations[0].kind) &&
-                         is_name(chain.sides[0]);
+                         name_on_left(syntax, chain.sides[0]);
       const bool said = all || chain.written.explains;
       if (later && names && (said || (own && uses(chain)))) behind.push_back({&chain, said});
     }

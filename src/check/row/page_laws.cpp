@@ -20,6 +20,7 @@
 #include "check/question/base_letters.h"
 #include "check/verdict/law_diagnostic.h"
 #include "check/word/prose_words.h"
+#include "expr/tree/path.h"
 
 namespace rigor {
 namespace {
@@ -214,6 +215,63 @@ std::vector<PageLaw> laws_along_the_motion(RowPlace& place, const Claim& claim) 
   return laws;
 }
 
+/// Is it `\dot A` or, by a letter, `dA/dc`: of the first order, with nothing held?
+std::optional<Variable> only_variable(const SymbolTable& symbols, SymbolId symbol) {
+  const auto& derivation = symbols[symbol].derivation;
+  if (!derivation || derivation->by.size() != 1 || is_differential(symbols, symbol)) return std::nullopt;
+  const Variable& by = *derivation->by.begin();
+  const bool total = by == By::time || (by.by == By::letter && !by.partial && !by.held);
+  return total ? std::optional(by) : std::nullopt;
+}
+
+/// `dA = \dot A`, `dt = 1`, where the row or its laws have rates beside differentials: these hold along every
+/// path, so also along the motion, whose parameter is the time. The same by a letter: `dA/dc` beside `dA` and
+/// `dc`.
+std::vector<PageLaw> laws_along_a_path(RowPlace& place, const Claim& claim, const Laws& above) {
+  ExprTree& tree = place.tree;
+  std::set<SymbolId> written;
+  const auto see = [&](const Equation& equation) {
+    for (const ExprId side : {equation.left, equation.right}) {
+      for (const SymbolId each : symbols_in(tree, side)) written.insert(each);
+    }
+  };
+  see(claim.equation);
+  const std::set<SymbolId> own = written;
+  for (const PageLaw* law : above) see(law->equation);
+  std::set<SymbolId> differentials;
+  std::ranges::copy_if(written, std::inserter(differentials, differentials.end()),
+                       [&](SymbolId each) { return is_differential(tree.symbols, each); });
+  if (differentials.empty()) return {};
+  std::optional<Variable> parameter;
+  for (const std::set<SymbolId>& symbols : {own, written}) {
+    for (const SymbolId each : symbols) {
+      if (!parameter) parameter = only_variable(tree.symbols, each);
+    }
+  }
+  const auto is_time = [&](SymbolId letter) {
+    const NameKey* key = key_of(place.names.symbols, letter);
+    return key != nullptr && key->base == "t";
+  };
+  const auto base = [&](SymbolId differential) { return base_of(tree.symbols, differential); };
+  if (!parameter && std::ranges::any_of(differentials, is_time, base)) parameter = By::time;
+  if (!parameter) return {};
+  const Span span = claim.relation;
+  std::vector<PageLaw> laws;
+  for (const SymbolId each : differentials) {
+    const bool in_time = *parameter == By::time;
+    const bool is_parameter = in_time ? is_time(base(each)) : base(each) == parameter->letter;
+    const SymbolId rate = tree.symbols.derivative(base(each), *parameter);
+    PageLaw law{.equation = {}, .name = {}, .span = span, .by_convention = true};
+    law.equation.left = tree.add({.op = Op::symbol, .span = span, .symbol = each});
+    law.equation.right = is_parameter ? tree.add_number(span, "1")
+                                      : tree.add({.op = Op::symbol, .span = span, .symbol = rate});
+    law.name = fmt::format("`{}` along the path, by {}", tree.symbols[each].name,
+                           in_time ? "the time" : fmt::format("`{}`", tree.symbols[parameter->letter].name));
+    laws.push_back(std::move(law));
+  }
+  return laws;
+}
+
 /// "With $b = d$ we get", "for $\theta_1 + \theta_2 = \pi/2$": what its own sentence says goes with the laws.
 /// `above`: among which it may be already.
 std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& row, const Laws& above) {
@@ -255,6 +313,7 @@ Grounds grounds_of(RowPlace& place, const StepReading& row, const Claim& claim) 
   const Laws above = available_to(place, row.parsed);
   std::vector<PageLaw> own = self_adjoint_letters(place, claim, above);
   std::ranges::move(laws_along_the_motion(place, claim), std::back_inserter(own));
+  std::ranges::move(laws_along_a_path(place, claim, above), std::back_inserter(own));
   const std::size_t conventions = own.size();
   std::ranges::move(said_in_its_sentence(place, row, above), std::back_inserter(own));
   Grounds grounds{.own = std::make_shared<const std::vector<PageLaw>>(std::move(own))};

@@ -57,12 +57,13 @@ bool can_be_assumed(RelationKind kind) {
   return kind == RelationKind::equal || kind == RelationKind::defines || is_order(kind);
 }
 
-/// `c`, `-c`, `2c`, `c/2`
+/// `c`, `-c`, `2c`, `c/2`; not `1/c`
 bool is_one_letter(const ExprTree& tree, ExprId id) {
   const ExprNode& node = tree[id];
   if (node.op == Op::symbol) return !tree.symbols[node.symbol].derivation;
   if (node.op != Op::negate && node.op != Op::multiply && node.op != Op::divide) return false;
   std::vector<ExprId> children(tree.children(id).begin(), tree.children(id).end());
+  if (node.op == Op::divide && !symbols_in(tree, children[1]).empty()) return false;
   std::erase_if(children, [&](ExprId child) { return symbols_in(tree, child).empty(); });
   return children.size() == 1 && is_one_letter(tree, children[0]);
 }

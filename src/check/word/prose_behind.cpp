@@ -203,10 +203,12 @@ class Behind {
     return true;
   }
 
-  /// "is the frequency", "denotes the reduced mass of the pair"; not "is the wall", "is the speed at the
-  /// top".
+  /// "is the frequency", "denotes the reduced mass of the pair", "is conserved"; not "is the wall", "is the
+  /// speed at the top".
   [[nodiscard]] bool is_named() const {
-    static constexpr std::array<std::string_view, 6> naming{"is", "are", "be", "denotes", "being", "means"};
+    static constexpr std::array<std::string_view, 8> naming{"is",    "are",   "be",      "denotes",
+                                                            "being", "means", "remains", "stays"};
+    static constexpr std::array<std::string_view, 3> kept{"conserved", "constant", "fixed"};
     if (!is_one_of(here(), naming)) return false;
     bool named = false;
     bool behind_of = false;
@@ -218,7 +220,7 @@ class Behind {
       } else if (restricts_behind_comma(word) || word == "for" || word == "in") {
         return false;
       } else if (!behind_of) {
-        named = is_named_quantity(word);
+        named = is_named_quantity(word) || is_one_of(word, kept);
       }
     }
     return named;
@@ -294,11 +296,19 @@ class Restrictions {
                        [](std::string_view part) { return is_punctuation(part) || part == "\n"; });
   }
 
+  /// "to introduce $u = 1/r$"
+  static bool brings_in(std::string_view verb) {
+    static constexpr std::array<std::string_view, 6> verbs{"introduce", "define", "set",
+                                                           "put",       "write",  "abbreviate"};
+    return is_one_of(verb, verbs);
+  }
+
   /// "from $x = 0$", "starting at $t = 0$", "since $t = 0$".
   [[nodiscard]] bool is_bounded_from_before(std::size_t k) const {
     const std::size_t place = places_[k];
     if (place > 0 && restricts_from_before(parts_[place - 1])) return true;
-    if (place > 1 && restricts_from_before(parts_[place - 2])) return true;
+    const bool is_purpose = place > 1 && parts_[place - 2] == "to" && brings_in(parts_[place - 1]);
+    if (place > 1 && restricts_from_before(parts_[place - 2]) && !is_purpose) return true;
     const std::string& text = maths_[k].text;
     const std::size_t first = text.find_first_not_of(' ');
     const bool time = first != std::string::npos && text[first] == 't' &&
