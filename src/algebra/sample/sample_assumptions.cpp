@@ -2,6 +2,7 @@
 #include "algebra/sample/sample_assumptions.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -72,6 +73,20 @@ class Residual {
     }
     point_.set(at, before);
     return false;
+  }
+
+  [[nodiscard]] bool is_quadratic_in(const Coordinate& at) const {
+    const Rational before = point_[at];
+    bool is_one = false;
+    try {
+      const Quadratic through = quadratic_through(with(at, 0), with(at, 1), with(at, -1));
+      is_one = !cln::zerop(through.square) &&
+               with(at, 2) == through.constant + 2 * through.linear + 4 * through.square;
+    } catch (const PointRejected&) {
+      // not a polynomial in this number
+    }
+    point_.set(at, before);
+    return is_one;
   }
 
   /// Makes the residual 0 by two numbers if it is of second degree in them and a curve with rational points:
@@ -221,10 +236,12 @@ std::vector<Coordinate> numbers_that_solve(const Residual& residual, std::span<c
     if (residual.solve_quotient_for(at)) return {at};
   }
   constexpr std::size_t most_paired = 6;
-  const std::size_t paired = std::min(numbers.size(), most_paired);
-  for (std::size_t i = 0; i < paired; ++i) {
-    for (std::size_t j = i + 1; j < paired; ++j) {
-      if (residual.solve_for_both(numbers[i], numbers[j])) return {numbers[i], numbers[j]};
+  std::vector<Coordinate> squared;
+  std::ranges::copy_if(numbers.first(std::min(numbers.size(), most_paired)), std::back_inserter(squared),
+                       [&](const Coordinate& at) { return residual.is_quadratic_in(at); });
+  for (std::size_t i = 0; i < squared.size(); ++i) {
+    for (std::size_t j = i + 1; j < squared.size(); ++j) {
+      if (residual.solve_for_both(squared[i], squared[j])) return {squared[i], squared[j]};
     }
   }
   return {};

@@ -104,7 +104,7 @@ std::optional<SignedProduct> as_signed_product(const ExprTree& tree, const NameS
 }
 
 /// The letters that a row with a written root takes for positive: v of `v = \sqrt{2gh}`, and A with it of
-/// `v = A\sqrt{k/m}`. None may be said to be something but a root: that may be the other one.
+/// `v = A\sqrt{k/m}`. None may be said to be something but a root or a product: that may be the other root.
 std::map<std::string, ExprId> positive_beside_a_root(const RowUnderLaws& row, const Laws& bearing) {
   const Equation& own = row.claim.equation;
   const auto left = as_signed_product(row.tree, row.names.scope, own.left);
@@ -115,8 +115,7 @@ std::map<std::string, ExprId> positive_beside_a_root(const RowUnderLaws& row, co
   const auto is_said = [&](const auto& letter) {
     const auto is_it = [&](ExprId side, ExprId other) {
       if (row.tree[side].op != Op::symbol || print_latex(row.tree, side) != letter.first) return false;
-      const auto product = as_signed_product(row.tree, row.names.scope, other);
-      return !product || !product->has_root;
+      return !as_signed_product(row.tree, row.names.scope, other);
     };
     return std::ranges::any_of(bearing, [&](const PageLaw* law) {
       return is_it(law->equation.left, law->equation.right) || is_it(law->equation.right, law->equation.left);

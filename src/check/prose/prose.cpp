@@ -374,6 +374,15 @@ class ProseReader {
     return std::ranges::any_of(clause, is_named_quantity);
   }
 
+  bool stands_behind_a_comma() const {
+    const std::size_t before = sentence_.find_last_not_of(' ', sentence_.size() - 2);
+    return sentence_.size() > 1 && before != std::string::npos && sentence_[before] == ',';
+  }
+
+  static bool is_full_stop(const std::string& text, std::size_t at) {
+    return at < text.size() && text[at] == '.' && stands_last(text, at);
+  }
+
   /// "and $L = T - V$", directly behind a display: what that says goes on here.
   bool goes_on_from_display() const {
     if (word_before_mathematics() != "and") return false;
@@ -424,6 +433,10 @@ class ProseReader {
         prose_.said.back().named = true;
       }
       if (cue_ == Cue::none && goes_on_from_display()) prose_.said.back().cue = Cue::definition;
+      if (cue_ == Cue::none && stands_behind_a_comma() && is_full_stop(text, end + (dollar ? 1 : 2))) {
+        prose_.said.back().cue = Cue::definition;  // "rolls without slipping, $v = \omega R$."
+        prose_.said.back().named = true;
+      }
     }
     return end + (dollar ? 1 : 2);
   }

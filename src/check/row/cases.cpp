@@ -2,6 +2,8 @@
 // What a definition is said for: a case, another place, or until its letter gets another meaning.
 #include "check/row/row.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -136,15 +138,44 @@ std::size_t begin_of_reason(const std::string& tail) {
   return begin;
 }
 
+/// Before a display, in its clause, and behind it, up to a reason.
+struct WordsAround {
+  std::string lead;
+  std::string behind;
+};
+
+WordsAround words_around(const RowPlace& place) {
+  const ProseBeside& beside = place.notes.prose.beside[place.event];
+  return {std::string(clause_of(beside.lead)), beside.tail.substr(0, begin_of_reason(beside.tail))};
+}
+
+/// "For small oscillations": who leaves out what is small goes on so.
+std::string without_smallness(std::string text) {
+  for (const std::string_view noun :
+       {"angles", "oscillations", "amplitudes", "displacements", "deviations", "vibrations", "elongations"}) {
+    const std::string said = fmt::format("for small {}", noun);
+    for (auto at = text.find(said); at != std::string::npos; at = text.find(said))
+      text.erase(at, said.size());
+  }
+  return text;
+}
+
+bool is_conditional_by(const WordsAround& words, const RowPlace& place, bool demands) {
+  return (demands && word_that_demands(without_naming(words.lead))) ||
+         word_of_a_special_case(without_neutral_phrases(
+             without_what_heading_says(words.lead + " " + words.behind, lowered(place.section))));
+}
+
 }  // namespace
 
 bool is_conditional(const RowPlace& place, bool demands) {
-  const ProseBeside& beside = place.notes.prose.beside[place.event];
-  const std::string behind = beside.tail.substr(0, begin_of_reason(beside.tail));
-  const std::string lead(clause_of(beside.lead));
-  return (demands && word_that_demands(without_naming(lead))) ||
-         word_of_a_special_case(
-             without_neutral_phrases(without_what_heading_says(lead + " " + behind, lowered(place.section))));
+  return is_conditional_by(words_around(place), place, demands);
+}
+
+bool is_of_a_passing_case(const RowPlace& place, bool demands) {
+  WordsAround words = words_around(place);
+  for (std::string* text : {&words.lead, &words.behind}) *text = without_smallness(*text);
+  return is_conditional_by(words, place, demands);
 }
 
 bool is_of_a_case(const RowPlace& place) {

@@ -415,8 +415,9 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
               .argument = here.argument,
               .at_instant = (momentary || sets) && !lasts,
               .of_a_case = in_a_case || ((momentary || sets) && !of_values && !runs) ||
-                           is_an_example(place) || beside_an_arrow || is_conditional(place, !operators) ||
-                           is_value(place.tree, equation) || determines_a_letter(place.tree, equation),
+                           is_an_example(place) || beside_an_arrow ||
+                           is_of_a_passing_case(place, !operators) || is_value(place.tree, equation) ||
+                           determines_a_letter(place.tree, equation),
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
               .standing = standing};
   place.found.stated.push_back({.law = std::move(law),

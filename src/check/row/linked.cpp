@@ -57,8 +57,11 @@ std::vector<DefinitionBehind> definitions_behind(const RowPlace& place, const Pa
   std::vector<DefinitionBehind> behind;
   const SyntaxTree& syntax = place.notes.syntax;
   const std::set<std::string> letters = letters_written_in(syntax, parsed.sides);
+  // "Hence $2E = Mc^2$, $E = \frac12Mc^2$": a conclusion does not follow from what stands behind it.
+  const bool concludes = says_that_it_follows(place.notes.prose.beside[place.event].lead);
   const auto uses = [&](const ParsedChain& chain) {
-    return std::ranges::includes(letters, letters_written_in(syntax, {chain.sides[0]}));
+    return !concludes && syntax[chain.sides[0]].kind != SyntaxKind::term &&
+           std::ranges::includes(letters, letters_written_in(syntax, {chain.sides[0]}));
   };
   const auto take = [&](const ParsedDisplay& display, bool all, bool own) {
     for (const ParsedChain& chain : display.chains) {

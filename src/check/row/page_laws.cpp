@@ -335,7 +335,7 @@ bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& cla
     return false;
   const Grounds grounds = grounds_of(place, row, claim);
   DecisionCache& cache = *place.options.cache;
-  const bool inferred = row.parsed.written.inference != Inference::none;
+  const bool inferred = is_announced(place, row);
   auto found = follow_from_laws(place.tree, place.names, claim, grounds.founded, inferred, cache);
   const bool rests_on_open =
       !found && is_announced(place, row) && grounds.founded.all.size() < grounds.all.all.size();
@@ -361,6 +361,26 @@ bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& cla
   return true;
 }
 
+namespace {
+
+/// "and so $\omega^2 = k/m$", where nothing has spoken of \omega: it names it, as `\omega = \sqrt{k/m}`
+/// would.
+bool names_a_square(const RowPlace& place, const StepReading& row, const Claim& claim) {
+  const ExprTree& tree = place.tree;
+  const ExprNode& left = tree[claim.equation.left];
+  if (row.which > 0 || claim.equation.relation != Relation::equal || left.op != Op::power ||
+      left.exponent != 2)
+    return false;
+  const ExprNode& letter = tree[tree.children(claim.equation.left)[0]];
+  return letter.op == Op::symbol && letter.rank == 0 && letter.slot_count == 0 &&
+         !tree.symbols[letter.symbol].derivation &&
+         definition_of(place.names.scope, letter.symbol) == nullptr &&
+         !seen_in_equation(place.names.scope, letter.symbol) &&
+         !is_one_of(letter.symbol, symbols_in(tree, claim.equation.right));
+}
+
+}  // namespace
+
 void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (is_suspect(place, row, claim, judgement)) return;
   if (is_denied_by_laws(place.tree, place.names, claim, available_to(place, row.parsed),
@@ -370,7 +390,8 @@ void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judg
     return;
   }
   // Who assumes something about its letters means it to follow from that.
-  if (place.is_stated || (!judgement.despite_given && !is_announced(place, row))) {
+  if (place.is_stated || names_a_square(place, row, claim) ||
+      (!judgement.despite_given && !is_announced(place, row))) {
     judgement.route = "stated; it follows from nothing above it";
     return leave(place, row, claim, Standing::law);
   }

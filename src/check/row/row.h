@@ -33,6 +33,8 @@ bool proves_alternatives(RowPlace& place, const ParsedChain& parsed, Step& step)
 /// Do words of its sentence limit the display at hand to a case?
 /// `demands`: also "must" and "satisfy", which say of operators what they are.
 bool is_conditional(const RowPlace& place, bool demands = true);
+/// The same, but for what is left out as small from there on: "for small angles".
+bool is_of_a_passing_case(const RowPlace& place, bool demands);
 /// Is its heading about a special case: "Electrostatics", "In vacuum"?
 bool is_of_a_case(const RowPlace& place);
 /// `f = e^{-x} \Rightarrow …` on one of several such lines of a display: each is a case of its own.

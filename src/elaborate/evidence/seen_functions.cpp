@@ -380,6 +380,12 @@ void tie(Evidence& evidence, const std::string& letter, const std::set<std::stri
   }
 }
 
+/// `c^2`; not `e^{-kt}`
+bool is_square(const SyntaxTree& syntax, SyntaxId side) {
+  return syntax[side].kind == SyntaxKind::power && syntax[syntax.child(side, 0)].kind == SyntaxKind::symbol &&
+         syntax[syntax.child(side, 1)].kind == SyntaxKind::number;
+}
+
 /// `Cd = \epsilon A` says of none of its letters alone what it is, so that any of them may follow the others.
 /// An identity, with the same letters on both sides, a law of rates, a sum and an integral do not. Initial
 /// values follow nothing.
@@ -388,9 +394,7 @@ void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
   std::vector<std::set<std::string>> letters;
   std::set<std::string> squared;  // c of `uv = c^2`
   for (const SyntaxId side : sides) {
-    const SyntaxId letter = letter_of_side(syntax, side);
-    if (syntax[side].kind == SyntaxKind::power && syntax[letter].kind == SyntaxKind::symbol)
-      squared.insert(changing_name(syntax.symbol(letter)));
+    if (is_square(syntax, side)) squared.insert(changing_name(syntax.symbol(syntax.child(side, 0))));
     std::set<std::string>& own = letters.emplace_back();
     for (const SyntaxId id : nodes_below(syntax, {side})) {
       const SyntaxKind kind = syntax[id].kind;
@@ -456,8 +460,7 @@ void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evid
   bool says_what_a_letter_is = false;
   for (const SyntaxId side : sides) {
     const SyntaxId letter = letter_of_side(syntax, side);
-    if (letter != side && side != sides.front() && syntax[side].kind == SyntaxKind::power)
-      continue;  // `uv = c^2`
+    if (side != sides.front() && is_square(syntax, side)) continue;  // `uv = c^2`
     if (syntax[letter].kind != SyntaxKind::symbol || is_power_that_counts(syntax, side, sides)) continue;
     says_what_a_letter_is = true;
     const std::string name = changing_name(syntax.symbol(letter));
