@@ -79,6 +79,7 @@ struct Evidence {
   std::set<std::string> functionals;                       // `E[X]`: square brackets stand directly after
   std::map<std::string, std::set<std::string>> functions;  // \omega of `\omega(k) = …`, with k
   std::map<std::string, std::set<std::string>> running;    // of these, k: the other side has it, too
+  std::map<std::string, std::set<std::string>> running_primed;  // r of `V'(r) = 2ar`, as `running` has it
   std::map<std::string, std::set<std::vector<std::string>>>
       applied;                                      // `\psi(x, t)`: letters in brackets behind it
   std::map<std::string, std::set<std::string>> by;  // x of `dy/dx`, with y: what is differentiated by
@@ -87,7 +88,9 @@ struct Evidence {
   bool speaks_of_conservation = false;  // "conserved", "constant": then l of `l = mr^2\dot\theta` is held
   bool speaks_of_dependence = false;    // "depends on", "varies", "not constant": of a letter or not
   std::set<std::string> changing;       // letters of which a rate is written, or that have an argument
+  std::map<std::string, std::set<std::string>> in_exponents;  // r of `e^{rx}`, with x
   std::map<std::string, std::set<std::string>> tied;  // m of `m = \mu t`, with what stands on the other sides
+  std::vector<std::set<std::string>> tied_together;   // C, d and A of `Cd = \epsilon A`
   std::set<std::string> said_to_change;               // "$U$ depends on"
   std::set<std::string> may_change;  // these, what is tied to them or to the time, and what has an argument
   std::set<std::string> may_change_in_time;  // the same, but for x, y, z and r that nothing shows to move
@@ -345,6 +348,8 @@ void settle_changes(Evidence& evidence);
 /// Is a derivative by it one by a letter of its own? By x, y and z it is one by place, unless the section
 /// shows that one of the others is a function of it: `dy/dx`, `y(x)`.
 [[nodiscard]] bool is_own_variable(const Evidence& evidence, std::string_view letter);
+/// y of `dy/dx`, `y(x)`: a coordinate that the section makes a function of another one is no place.
+[[nodiscard]] bool is_function_of_a_coordinate(const Evidence& evidence, std::string_view name);
 /// What the primes on `y''` and `V'(r)` differentiate by; nothing where a prime may name another quantity.
 [[nodiscard]] std::optional<std::string> variable_of_primes(const WrittenSymbol& symbol,
                                                             const Evidence& evidence);

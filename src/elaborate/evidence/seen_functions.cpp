@@ -2,9 +2,12 @@
 #include "elaborate/evidence/evidence.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/among.h"
@@ -184,10 +187,12 @@ void see_functions(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
   std::set<std::string> arguments = arguments_in(syntax, factors[1].id);
   if (arguments.empty()) return;
   const std::string name = name_of(syntax.symbol(factors[0].id));
+  // Beside `f(x) = x^2`, `f'(c) = 2c` is a value.
+  auto& running = syntax.symbol(factors[0].id).primes > 0 ? evidence.running_primed : evidence.running;
   // `V(R) = 0` is a value; `V(R) = cR` says how V runs with R.
   for (const SyntaxId id : nodes_below(syntax, {sides.begin() + 1, sides.end()})) {
     if (syntax[id].kind == SyntaxKind::symbol && arguments.contains(syntax.symbol(id).letter))
-      evidence.running[name].insert(syntax.symbol(id).letter);
+      running[name].insert(syntax.symbol(id).letter);
   }
   evidence.functions[name].merge(arguments);
 }
@@ -218,6 +223,25 @@ SyntaxId without_derivatives(const SyntaxTree& syntax, SyntaxId id) {
   }
 }
 
+namespace {
+
+/// `rx`, and each of the terms of `i(kr - \omega t)`: two letters side by side.
+void see_exponent_of_growth(const SyntaxTree& syntax, SyntaxId exponent, Evidence& evidence) {
+  for (const SyntaxId id : nodes_below(syntax, {exponent})) {
+    if (syntax[id].kind != SyntaxKind::term) continue;
+    std::vector<std::string> letters;
+    for (const SyntaxChild& factor : syntax.children(id)) {
+      if (syntax[factor.id].kind == SyntaxKind::symbol)
+        letters.push_back(changing_name(syntax.symbol(factor.id)));
+    }
+    if (letters.size() != 2) continue;
+    evidence.in_exponents[letters[0]].insert(letters[1]);
+    evidence.in_exponents[letters[1]].insert(letters[0]);
+  }
+}
+
+}  // namespace
+
 void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
   for (const SyntaxId id : nodes_below(syntax, {root})) {
     const SyntaxKind kind = syntax[id].kind;
@@ -226,6 +250,7 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
       evidence.primed.insert(name_of(syntax.symbol(id)));
     if (kind == SyntaxKind::symbol && syntax.symbol(id).primes > 0)
       evidence.with_primes.insert(changing_name(syntax.symbol(id)));
+    if (kind == SyntaxKind::power) see_exponent_of_growth(syntax, syntax.child(id, 1), evidence);
     if (kind == SyntaxKind::component && syntax.indices(id).size() == 1 &&
         syntax[bare(syntax, syntax.child(id, 0))].kind == SyntaxKind::derivative)
       evidence.by[syntax.indices(id)[0].text];  // V of `(\partial S/\partial T)_V` could change
@@ -306,8 +331,19 @@ bool is_function_of(const Evidence& evidence, std::string_view name, std::string
   });
 }
 
+namespace {
+
+constexpr std::array<std::string_view, 3> coordinates{"x", "y", "z"};
+
+}  // namespace
+
+bool is_function_of_a_coordinate(const Evidence& evidence, std::string_view name) {
+  return std::ranges::any_of(coordinates, [&](std::string_view other) {
+    return other != name && is_function_of(evidence, name, other);
+  });
+}
+
 bool is_own_variable(const Evidence& evidence, std::string_view letter) {
-  static constexpr std::string_view coordinates[] = {"x", "y", "z"};
   if (!is_one_of(letter, coordinates) || evidence.complex_numbers.contains(std::string(letter))) return true;
   return std::ranges::any_of(coordinates, [&](std::string_view other) {
     return other != letter && is_function_of(evidence, other, letter);
@@ -341,12 +377,27 @@ bool may_be_changing_in_time(const Evidence& evidence, std::string_view name) {
 
 namespace {
 
+/// `U(1 - a^2/r^2)`, `b(1 - \cos\omega t)`: a factor to all who read it.
+bool holds_a_factor(const SyntaxTree& syntax, SyntaxId bracket) {
+  if (syntax[bracket].kind != SyntaxKind::group) return false;
+  const SyntaxId sum = syntax.child(bracket, 0);
+  if (syntax[sum].kind != SyntaxKind::sum || syntax.children(sum).size() < 2) return false;
+  const bool number = std::ranges::any_of(syntax.children(sum), [&](const SyntaxChild& term) {
+    return syntax[term.id].kind == SyntaxKind::number;
+  });
+  return number && std::ranges::any_of(nodes_below(syntax, {sum}), [&](SyntaxId id) {
+           const SyntaxKind kind = syntax[id].kind;
+           return kind == SyntaxKind::fraction || kind == SyntaxKind::power || kind == SyntaxKind::function;
+         });
+}
+
 /// \omega of `\omega^2`, x of `x(t)`.
 SyntaxId letter_of_side(const SyntaxTree& syntax, SyntaxId side) {
   if (syntax[side].kind == SyntaxKind::power) return syntax.child(side, 0);
   if (syntax[side].kind != SyntaxKind::term || syntax.children(side).size() != 2) return side;
   const SyntaxChild bracket = syntax.children(side)[1];
-  const bool applied = bracket.joint == Joint::juxtaposed && may_hold_arguments(syntax, bracket.id);
+  const bool applied = bracket.joint == Joint::juxtaposed && may_hold_arguments(syntax, bracket.id) &&
+                       !holds_a_factor(syntax, bracket.id);
   return applied ? syntax.children(side)[0].id : side;
 }
 
@@ -390,8 +441,7 @@ void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
   }
   if (letters.size() != 2 || letters[0] == letters[1]) return;
   letters[0].merge(letters[1]);
-  for (const std::string& letter : letters[0])
-    evidence.tied[letter].insert(letters[0].begin(), letters[0].end());
+  evidence.tied_together.push_back(std::move(letters[0]));
 }
 
 /// The letters of a side, but for what an integral between limits, a sum or an average runs over.
@@ -423,6 +473,21 @@ bool is_value_at_a_number(const SyntaxTree& syntax, SyntaxId side) {
                               [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::symbol; });
 }
 
+/// `f(s)` below `f(x) = a + b(x - s)`: a value, which does not change with what f is a function of.
+bool is_value_elsewhere(const SyntaxTree& syntax, SyntaxId side, const Evidence& evidence) {
+  if (syntax[side].kind != SyntaxKind::term || syntax.children(side).size() != 2) return false;
+  const auto [function, bracket] = std::pair(syntax.children(side)[0], syntax.children(side)[1]);
+  if (bracket.joint != Joint::juxtaposed || syntax[function.id].kind != SyntaxKind::symbol ||
+      syntax[bracket.id].kind != SyntaxKind::group)
+    return false;
+  const auto running = evidence.running.find(name_of(syntax.symbol(function.id)));
+  return running != evidence.running.end() &&
+         std::ranges::none_of(nodes_below(syntax, {bracket.id}), [&](SyntaxId id) {
+           return syntax[id].kind == SyntaxKind::symbol &&
+                  running->second.contains(changing_name(syntax.symbol(id)));
+         });
+}
+
 /// `x_n = q^n`: the power says what x is for each n, and nothing of its base.
 bool is_power_that_counts(const SyntaxTree& syntax, SyntaxId side, const std::vector<SyntaxId>& sides) {
   if (syntax[side].kind != SyntaxKind::power) return false;
@@ -446,7 +511,8 @@ void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evid
     if (name.ends_with("_0") && side != sides.front()) continue;  // `L\dot I + RI = V_0`
     std::set<std::string>& tied = evidence.tied[name];
     for (const SyntaxId other : sides) {
-      if (other == side || is_value_at_a_number(syntax, other)) continue;
+      if (other == side || is_value_at_a_number(syntax, other) || is_value_elsewhere(syntax, other, evidence))
+        continue;
       tied.merge(free_letters(syntax, other));
     }
   }
@@ -476,9 +542,21 @@ std::set<std::string> all_variables(const Evidence& evidence) {
   return all;
 }
 
+/// x of `y'' + by' + cy = 0` and "we try $y = e^{rx}$": the usual letter for a variable, where y is none.
+std::set<std::string> unnamed_variables(const Evidence& evidence) {
+  std::set<std::string> found;
+  for (const std::string_view usual : {"x", "t", "z", "\\theta", "\\xi", "\\tau"}) {
+    const std::string letter(usual);
+    const bool written = evidence.letters.contains(letter) || evidence.in_exponents.contains(letter);
+    if (written && !evidence.primed.contains(letter)) found.insert(letter);
+  }
+  return found;
+}
+
 /// `y''` beside `E(x) = \tfrac12y'^2 + \dots`: there is only one variable that the primes can mean.
 void see_what_primes_mean(Evidence& evidence) {
-  const std::set<std::string> variables = all_variables(evidence);
+  std::set<std::string> variables = all_variables(evidence);
+  if (variables.empty() && !evidence.primed.empty()) variables = unnamed_variables(evidence);
   if (variables.size() != 1 || is_marked(*variables.begin())) return;
   for (const std::string& name : evidence.primed) {
     const bool applied = evidence.applied.contains(name);
@@ -486,11 +564,40 @@ void see_what_primes_mean(Evidence& evidence) {
   }
 }
 
+/// `\ln N = rt + c` beside `\dot N`: it says how N runs with the time, and not that r does.
+bool says_how_one_runs(const std::set<std::string>& letters, const Evidence& evidence) {
+  return letters.contains("t") && std::ranges::count_if(letters, [&](const std::string& each) {
+                                    return each != "t" && is_changing(evidence, each);
+                                  }) == 1;
+}
+
+/// r of `e^{rx}`, where something is a function of x and nothing of r.
+bool is_rate_of_growth(const Evidence& evidence, const std::string& letter) {
+  const auto found = evidence.in_exponents.find(letter);
+  if (found == evidence.in_exponents.end() || evidence.vectors.contains(letter)) return false;
+  std::set<std::string> variables = all_variables(evidence);
+  for (const auto& [function, arguments] : evidence.applied) {
+    for (const std::vector<std::string>& each : arguments) variables.insert(each.begin(), each.end());
+  }
+  if (variables.contains(letter)) return false;
+  if (!evidence.primed.empty()) variables.merge(unnamed_variables(evidence));
+  return std::ranges::any_of(
+      found->second, [&](const std::string& each) { return each == "t" || variables.contains(each); });
+}
+
 }  // namespace
 
 void settle_changes(Evidence& evidence) {
+  for (const auto& [function, variables] : evidence.running_primed) {
+    if (!evidence.running.contains(function)) evidence.running[function] = variables;
+  }
+  for (const std::set<std::string>& letters : evidence.tied_together) {
+    if (says_how_one_runs(letters, evidence)) continue;
+    for (const std::string& letter : letters) evidence.tied[letter].insert(letters.begin(), letters.end());
+  }
   see_what_primes_mean(evidence);
-  static constexpr std::string_view places[] = {"x", "y", "z", "r"};
+  std::set<std::string> places{"x", "y", "z"};
+  if (!is_rate_of_growth(evidence, "r")) places.insert("r");
   std::set<std::string> changing = evidence.changing;
   changing.insert(evidence.said_to_change.begin(), evidence.said_to_change.end());
   changing.insert("t");
@@ -500,7 +607,7 @@ void settle_changes(Evidence& evidence) {
     changing.insert(take_letter(name, at));
   }
   evidence.may_change_in_time = with_what_is_tied(changing, evidence);
-  changing.insert(std::begin(places), std::end(places));
+  changing.merge(places);
   evidence.may_change = with_what_is_tied(std::move(changing), evidence);
 }
 
