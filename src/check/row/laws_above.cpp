@@ -20,6 +20,7 @@
 #include "check/question/base_letters.h"
 #include "check/question/running_letters.h"
 #include "check/word/place_words.h"
+#include "check/word/problem_words.h"
 #include "check/word/prose_words.h"
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/name/function_value.h"
@@ -355,6 +356,22 @@ bool is_about_values(const RowPlace& place, const Equation& equation) {
   return found;
 }
 
+bool states_values(const RowPlace& place, const ParsedChain& parsed, const ChainReading& reading) {
+  const std::size_t last = reading.sides.size() - 1;
+  if (last < 2 || !std::ranges::all_of(parsed.written.relations, [](const WrittenRelation& each) {
+        return each.kind == RelationKind::equal;
+      }))
+    return false;
+  const auto is_value = [&](const ChainReading::Side& side) {
+    const ExprTree& tree = place.tree;
+    return side.typed && tree[side.typed->id].op == Op::symbol &&
+           !tree.symbols[base_of(tree.symbols, tree[side.typed->id].symbol)].integral &&
+           is_function_value(place.names, tree, tree[side.typed->id].symbol);
+  };
+  return std::all_of(reading.sides.begin(), reading.sides.end() - 1, is_value) && reading.sides[last].typed &&
+         !is_value(reading.sides[last]);
+}
+
 bool says_values_at_a_moment(const RowPlace& place, const Equation& equation) {
   const bool somewhere = is_of_a_moment(place) || is_of_a_spot(place);
   if (!somewhere || says_that_it_follows(beside(place).lead)) return false;
@@ -496,32 +513,10 @@ bool is_differential_equation(const ExprTree& tree, const Equation& equation) {
          (std::ranges::any_of(left, is_rate) || std::ranges::any_of(right, is_rate));
 }
 
-/// "The ansatz $x = Ae^{\lambda t}$ leads to", "inserting $x = …$".
-bool speaks_of_a_trial(const std::string& sentence) {
-  const std::string text = lowered(sentence);
-  static constexpr std::array<std::string_view, 7> stems{"ansatz",    "trial", "try",  "insert",
-                                                         "substitut", "plug",  "guess"};
-  return std::ranges::any_of(words_of(text), [](std::string_view word) {
-    return std::ranges::any_of(stems, [&](std::string_view stem) { return word.starts_with(stem); });
-  });
-}
-
 /// `Ae^{\lambda t}`, and not `\gamma mv`, which says what a momentum is.
 bool has_a_function(const ExprTree& tree, ExprId side) {
   return std::ranges::any_of(nodes_below(tree, {side}),
                              [&](ExprId id) { return tree[id].op == Op::function; });
-}
-
-/// "It is wrong that", "compared with", "instead of": no problem is posed.
-bool turns_a_problem_down(const std::string& sentence) {
-  static constexpr auto words = std::to_array<std::string_view>(
-      {"wrong",   "wrongly",   "false",    "incorrect", "incorrectly", "mistaken", "mistake",
-       "not",     "no",        "never",    "cannot",    "nor",         "neither",  "without",
-       "unlike",  "compare",   "compared", "instead",   "rather",      "contrary", "contrast",
-       "whereas", "different", "differs",  "other",     "another",     "replaced", "except",
-       "unless",  "forget",    "suppose",  "imagine",   "would",       "were",     "if"});
-  const std::string text = lowered(sentence);
-  return std::ranges::any_of(words_of(text), [](std::string_view word) { return is_one_of(word, words); });
 }
 
 /// "$$x' = \gamma(x - vt)$$ with $\gamma = …$": the letter stands in the display that it is said of.
@@ -540,10 +535,50 @@ bool explains_its_display(const RowPlace& place, const SaidInLine& said,
   return false;
 }
 
-/// x of `\ddot x` and `dx/dt` on the page.
+/// x of `\ddot x` and `dx/dt` on the page, y of `y''` and `dy/dx` in the section.
 bool is_differentiated(const RowPlace& place, SymbolId letter) {
   const NameKey* key = key_of(place.names.symbols, letter);
-  return key != nullptr && has_rate(*place.names.symbols.sightings, *key);
+  if (key == nullptr) return false;
+  const Evidence& evidence = *place.names.symbols.evidence;
+  return has_rate(*place.names.symbols.sightings, *key) || evidence.primed.contains(key->base) ||
+         std::ranges::any_of(
+             evidence.by, [&](const auto& each) { return each.second.contains(changing_name(key->base)); });
+}
+
+}  // namespace
+
+namespace {
+
+StatedLaw stated_in_line(RowPlace& place, const SaidInLine& said, const Equation& equation, bool of_a_case,
+                         std::string_view words) {
+  PageLaw law{.equation = equation,
+              .name = fmt::format("{} (line {})", written_at(place, said.span),
+                                  place.sources.line_column(said.span.file, said.span.begin).line),
+              .span = said.span,
+              .place = said.place,
+              .argument = said.argument,
+              .of_a_case = of_a_case || word_that_demands(words) || word_of_a_special_case(words)};
+  return {.law = std::move(law),
+          .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
+          .of_case = case_said_in(place.notes.prose, said.sentence, place.section),
+          .letter = letter_of_law(place.tree, equation),
+          .meanings = meanings_of(place, equation)};
+}
+
+/// "With $y(0) = y'(0) = 0$": each value by itself.
+void leave_values_said(RowPlace& place, const SaidInLine& said, const ParsedChain& chain,
+                       const std::string& sentence) {
+  const auto reading = read_here(place, chain);
+  if (!states_values(place, chain, *reading) || turns_a_problem_down(sentence)) return;
+  for (std::size_t k = 0; k + 1 < reading->sides.size(); ++k) {
+    Diagnostics ignored;
+    const auto claim =
+        reading->claim(chain, 0, *reading->sides[k].typed, *reading->sides.back().typed, false, ignored);
+    if (!claim || !ignored.empty() || !is_about_values(place, claim->equation)) continue;
+    StatedLaw stated = stated_in_line(place, said, claim->equation, false, lowered(sentence));
+    stated.poses = true;
+    place.found.stated.push_back(std::move(stated));
+  }
 }
 
 }  // namespace
@@ -556,8 +591,10 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
   const bool may_name = said.cue == Cue::definition && !said.at_place;
   const bool may_try = may_name || (said.cue == Cue::none && speaks_of_a_trial(sentence->text));
   for (const ParsedChain& chain : said.chains) {
-    if (chain.sides.size() != 2 || chain.written.relations[0].kind != RelationKind::equal ||
-        chain.written.condition || chain.written.doubt ||
+    const bool plain = !chain.written.condition && !chain.written.doubt;
+    if (chain.sides.size() > 2 && plain && may_speak_of_a_function(place.notes.syntax, chain))
+      leave_values_said(place, said, chain, sentence->text);
+    if (chain.sides.size() != 2 || chain.written.relations[0].kind != RelationKind::equal || !plain ||
         !(may_name || may_try || may_speak_of_a_function(place.notes.syntax, chain)))
       continue;
     const auto reading = read_here(place, chain);
@@ -584,26 +621,14 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
     const bool of_values = is_about_values(place, equation);
     const bool says =
         of_values || tries || (!said.at_place && is_differential_equation(place.tree, equation));
-    const bool poses = says && !turns_a_problem_down(sentence->text);
+    const bool poses = says && !turns_a_problem_down(sentence->text, tries);
     if (!names && !poses) continue;
     const std::string words = lowered(sentence->text);
-    PageLaw law{
-        .equation = equation,
-        .name = fmt::format("{} (line {})", written_at(place, said.span),
-                            place.sources.line_column(said.span.file, said.span.begin).line),
-        .span = said.span,
-        .place = said.place,
-        .argument = said.argument,
-        .of_a_case = !(names || of_values) || word_that_demands(words) || word_of_a_special_case(words),
-        .names_a_letter = brings_in};
-    place.found.stated.push_back(
-        {.law = std::move(law),
-         .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
-         .of_case = case_said_in(place.notes.prose, said.sentence, place.section),
-         .letter = letter_of_law(place.tree, equation),
-         .meanings = meanings_of(place, equation),
-         .poses = poses,
-         .explained_in = names && explains ? std::optional(said.sentence) : std::nullopt});
+    StatedLaw stated = stated_in_line(place, said, equation, !(names || of_values), words);
+    stated.law.names_a_letter = brings_in;
+    stated.poses = poses;
+    if (names && explains) stated.explained_in = said.sentence;
+    place.found.stated.push_back(std::move(stated));
   }
 }
 

@@ -25,7 +25,11 @@ namespace rigor {
 namespace {
 
 void leave(RowPlace& place, const StepReading& row, const Claim& claim, Standing standing) {
-  if (!claim.nearly) leave_to_rows_below(place, row.parsed, claim.equation, claim.relation, standing);
+  if (claim.nearly) return;
+  Equation equation = claim.equation;
+  if (states_values(place, row.parsed, row.reading))
+    equation.right = row.reading.sides.back().typed->id;  // `u(0) = 0` of `u(0) = u(h) = 0`
+  leave_to_rows_below(place, row.parsed, equation, claim.relation, standing);
 }
 
 /// Each is there once: results follow from results, and would double what they hold with each that follows.
@@ -247,7 +251,8 @@ std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& ro
 bool is_open(const PageLaw& law) { return law.standing == Standing::conclusion; }
 
 bool is_announced(const RowPlace& place, const StepReading& row) {
-  return row.which > 0 || row.parsed.written.inference != Inference::none ||
+  const bool is_link = row.which > 0 && !states_values(place, row.parsed, row.reading);
+  return is_link || row.parsed.written.inference != Inference::none ||
          says_that_it_follows(beside(place).lead);
 }
 
