@@ -57,20 +57,50 @@ std::vector<Laws> promising_sets(const RowUnderLaws& row, const Laws& bearing, c
   return sets;
 }
 
-/// `\sqrt{2gh}`, `2\pi\sqrt{l/g}`: never negative.
-bool is_written_root(const ExprTree& tree, ExprId id) {
+/// `f/m`: letters and numbers, and nothing else.
+bool is_of_letters(const ExprTree& tree, ExprId id, std::vector<SymbolId>& letters) {
+  const ExprNode& node = tree[id];
+  if (node.op == Op::number) return true;
+  if (node.op == Op::symbol) letters.push_back(node.symbol);
+  if (node.op == Op::symbol) return node.rank == 0 && node.slot_count == 0;
+  return (node.op == Op::multiply || node.op == Op::divide) &&
+         std::ranges::all_of(tree.children(id),
+                             [&](ExprId child) { return is_of_letters(tree, child, letters); });
+}
+
+/// `\sqrt{2gh}`, `2\pi\sqrt{l/g}`: never negative; nor `f/\sqrt{a^2 + b^2}`, where f is not. `letters`: such
+/// as f.
+bool is_written_root(const ExprTree& tree, ExprId id, std::vector<SymbolId>& letters) {
   const ExprNode& node = tree[id];
   if (node.op == Op::root) return true;
   if (node.op != Op::multiply && node.op != Op::divide) return false;
   bool root = false;
   for (const ExprId child : tree.children(id)) {
-    const bool number = tree[child].op == Op::number ||
-                        (tree[child].op == Op::symbol && tree.symbols[tree[child].symbol].circle_number);
-    const bool one = !number && is_written_root(tree, child);
-    if (!number && !one) return false;
+    const ExprNode& factor = tree[child];
+    const bool letter = factor.op == Op::symbol && factor.rank == 0 && factor.slot_count == 0;
+    const bool circle = letter && tree.symbols[factor.symbol].circle_number;
+    if (factor.op == Op::number || circle) continue;
+    if (letter && !tree.symbols[factor.symbol].derivation) {
+      letters.push_back(factor.symbol);
+      continue;
+    }
+    const bool quotient = node.op == Op::divide && factor.op == Op::divide;  // `(f/m)/\sqrt{…}`
+    const bool one = is_written_root(tree, child, letters);
+    if (!one && !(quotient && is_of_letters(tree, child, letters))) return false;
     root = root || one;
   }
   return root;
+}
+
+/// The square of such a product, without its roots: a sample seldom has them.
+ExprId squared(ExprTree& tree, ExprId id) {
+  const ExprNode node = tree[id];
+  if (node.op == Op::root) return tree.children(id)[0];
+  if (node.op != Op::multiply && node.op != Op::divide)
+    return tree.add({.op = Op::power, .span = node.span, .exponent = 2}, std::span(&id, 1));
+  std::vector<ExprId> factors(tree.children(id).begin(), tree.children(id).end());
+  for (ExprId& factor : factors) factor = squared(tree, factor);
+  return tree.add({.op = node.op, .span = node.span}, factors);
 }
 
 /// `u = \sqrt{2gh}` of `u^2/2 = gh`: the squares follow, and the root is the one that is not negative.
@@ -80,7 +110,8 @@ std::optional<Judgement> takes_a_root(const RowUnderLaws& row, const Laws& beari
   const bool letter = left.op == Op::symbol && left.rank == 0 && left.slot_count == 0 &&
                       !row.tree.symbols[left.symbol].derivation &&
                       definition_of(row.names.scope, left.symbol) == nullptr;
-  if (own.relation != Relation::equal || !letter || !is_written_root(row.tree, own.right))
+  std::vector<SymbolId> positive{left.symbol};
+  if (own.relation != Relation::equal || !letter || !is_written_root(row.tree, own.right, positive))
     return std::nullopt;
   const auto is_it = [&](ExprId side) {
     return row.tree[side].op == Op::symbol && row.tree[side].symbol == left.symbol;
@@ -88,27 +119,31 @@ std::optional<Judgement> takes_a_root(const RowUnderLaws& row, const Laws& beari
   const bool is_said = std::ranges::any_of(
       bearing, [&](const PageLaw* law) { return is_it(law->equation.left) || is_it(law->equation.right); });
   if (is_said) return std::nullopt;  // it may be the other root
-  const auto square = [&](ExprId side) {
-    return row.tree.add({.op = Op::power, .span = row.tree[side].span, .exponent = 2}, std::span(&side, 1));
-  };
   Claim squares = row.claim;
-  squares.equation.left = square(own.left);
-  squares.equation.right = square(own.right);
-  const std::string says = fmt::format("convention: `{}` is not negative, since a root is written for it",
-                                       row.tree.symbols[left.symbol].name);
+  squares.equation.left = squared(row.tree, own.left);
+  squares.equation.right = squared(row.tree, own.right);
+  const RowUnderLaws of_squares{row.tree, row.names, squares, row.cache};
   const ExprId zero = row.tree.add_number(left.span, "0");
-  for (const Laws& set : sets_of(row.tree, bearing)) {
-    auto found = set.empty() ? std::nullopt : prove_from({row.tree, row.names, squares, row.cache}, set);
-    if (!found) continue;
-    Names positive = with_laws(row.tree, row.names, set);  // none of which may say that it is negative
-    assume(
-        positive.scope,
-        {{.left = zero, .right = own.left, .relation = Relation::less}, Origin{says, {}, std::nullopt}, 0});
-    if (!sample_of_assumptions(row.tree, positive, {}, {}, row.cache)) continue;
-    found->uses.push_back(says);
+  const auto with_signs = [&](std::optional<Judgement> found, const Laws& set) -> std::optional<Judgement> {
+    if (!found) return std::nullopt;
+    Names signs = with_laws(row.tree, row.names, set);  // none of which may say that it is negative
+    for (const SymbolId each : positive) {
+      const std::string says = fmt::format("convention: `{}` is not negative, since a root is written for it",
+                                           row.tree.symbols[each].name);
+      const ExprId symbol = row.tree.add({.op = Op::symbol, .span = left.span, .symbol = each});
+      assume(
+          signs.scope,
+          {{.left = zero, .right = symbol, .relation = Relation::less}, Origin{says, {}, std::nullopt}, 0});
+      found->uses.push_back(says);
+    }
+    if (!sample_of_assumptions(row.tree, signs, {}, {}, row.cache)) return std::nullopt;
     return found;
+  };
+  for (const Laws& set : sets_of(row.tree, bearing)) {
+    if (set.empty()) continue;
+    if (auto found = with_signs(prove_from(of_squares, set), set)) return found;
   }
-  return std::nullopt;
+  return with_signs(follows_from_trial(of_squares, bearing), {});
 }
 
 /// What is beside every set, taken out of the laws: conventions, and what a letter of the row is said to be.
@@ -143,6 +178,7 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const AvailableLaws& av
     if (auto found = prove_from(row, set)) return found;
   }
   bearing.insert(bearing.end(), beside.begin(), beside.end());
+  if (auto found = follows_from_trial(row, bearing)) return found;
   return takes_a_root(row, bearing);
 }
 

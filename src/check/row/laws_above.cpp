@@ -236,6 +236,18 @@ bool speaks_of_another_thing_since(const RowPlace& place, std::size_t sentence) 
   return false;
 }
 
+/// "We insert this": the display right above its sentence.
+bool is_pointed_at(const RowPlace& place, const PageLaw& law) {
+  if (!points_at_the_row_above(beside(place).lead)) return false;
+  std::size_t event = place.event;
+  while (event > 0 && place.notes.prose.beside[event].sentence == beside(place).sentence) --event;
+  const auto* above = std::get_if<ParsedDisplay>(&place.notes.events[event]);
+  return above != nullptr && std::ranges::any_of(above->chains, [&](const ParsedChain& chain) {
+           const Span of = chain.written.span;
+           return of.file == law.span.file && of.begin <= law.span.begin && law.span.end <= of.end;
+         });
+}
+
 /// Above in this section or one around it; of earlier sections, what is not said for a case or an example. A
 /// case holds in its paragraph, and where it is named; under a condition, where that is said as well.
 bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& reach) {
@@ -246,7 +258,8 @@ bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& r
       stated.conditions, [&](const std::string& each) { return is_one_of(each, reach.conditions); });
   if (!said || (stated.poses && names_another_thing(here.lead))) return false;
   if (stated.explained_in && speaks_of_another_thing_since(place, *stated.explained_in)) return false;
-  const bool in_reach = law.argument == here.argument || is_named_beside(place, stated);
+  const bool in_reach =
+      law.argument == here.argument || is_named_beside(place, stated) || is_pointed_at(place, law);
   if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
   const bool reaches = sections.reaches(law.place, here.place);
   if (!reaches && (stated.of_a_section || stated.poses || sections.leaves_an_example(law.place, here.place) ||

@@ -27,7 +27,10 @@ bool speaks_of_a_trial(const std::string& sentence) {
   const std::string text = lowered(sentence);
   static constexpr std::array<std::string_view, 8> stems{"ansatz",    "trial", "try",   "insert",
                                                          "substitut", "plug",  "guess", "seek"};
-  if (text.find("of the form") != std::string::npos || text.find("look for") != std::string::npos)
+  static constexpr std::array<std::string_view, 4> phrases{"of the form", "look for", "plane wave",
+                                                           "standing wave"};
+  if (std::ranges::any_of(phrases,
+                          [&](std::string_view phrase) { return text.find(phrase) != std::string::npos; }))
     return true;
   return std::ranges::any_of(words_of(text), [](std::string_view word) {
     return std::ranges::any_of(stems, [&](std::string_view stem) { return word.starts_with(stem); });
@@ -45,6 +48,18 @@ bool turns_a_problem_down(const std::string& sentence, bool tries) {
   const std::vector<std::string_view> said = words_of(text);
   for (std::size_t k = 0; k < said.size(); ++k) {
     if (is_one_of(said[k], words) && !(tries && asks_when_a_trial_works(said, k))) return true;
+  }
+  return false;
+}
+
+bool points_at_the_row_above(std::string_view lead) {
+  static constexpr std::array<std::string_view, 5> stems{"insert", "substitut", "plug", "put", "introduc"};
+  const std::string text = lowered(lead);
+  const std::vector<std::string_view> words = words_of(text);
+  for (std::size_t k = 0; k + 1 < words.size(); ++k) {
+    const bool inserts =
+        std::ranges::any_of(stems, [&](std::string_view stem) { return words[k].starts_with(stem); });
+    if (inserts && is_one_of(words[k + 1], {"this", "it", "these", "that"})) return true;
   }
   return false;
 }

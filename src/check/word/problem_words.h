@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace rigor {
 
@@ -12,5 +13,8 @@ namespace rigor {
 /// "It is wrong that", "compared with", "instead of": no problem is posed. `tries`: a trial solution is one,
 /// also where it "works if".
 [[nodiscard]] bool turns_a_problem_down(const std::string& sentence, bool tries = false);
+
+/// "We insert this and find": what the display above says is meant here.
+[[nodiscard]] bool points_at_the_row_above(std::string_view lead);
 
 }  // namespace rigor
