@@ -104,7 +104,8 @@ ExprId squared(ExprTree& tree, ExprId id) {
 }
 
 /// `u = \sqrt{2gh}` of `u^2/2 = gh`: the squares follow, and the root is the one that is not negative.
-std::optional<Judgement> takes_a_root(const RowUnderLaws& row, const Laws& bearing) {
+/// `of_trial`: of what a trial function asks.
+std::optional<Judgement> takes_a_root(const RowUnderLaws& row, const Laws& bearing, bool of_trial) {
   const Equation& own = row.claim.equation;
   const ExprNode left = row.tree[own.left];
   const bool letter = left.op == Op::symbol && left.rank == 0 && left.slot_count == 0 &&
@@ -139,11 +140,12 @@ std::optional<Judgement> takes_a_root(const RowUnderLaws& row, const Laws& beari
     if (!sample_of_assumptions(row.tree, signs, {}, {}, row.cache)) return std::nullopt;
     return found;
   };
+  if (of_trial) return with_signs(follows_from_trial(of_squares, bearing), {});
   for (const Laws& set : sets_of(row.tree, bearing)) {
     if (set.empty()) continue;
     if (auto found = with_signs(prove_from(of_squares, set), set)) return found;
   }
-  return with_signs(follows_from_trial(of_squares, bearing), {});
+  return std::nullopt;
 }
 
 /// What is beside every set, taken out of the laws: conventions, and what a letter of the row is said to be.
@@ -178,8 +180,7 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const AvailableLaws& av
     if (auto found = prove_from(row, set)) return found;
   }
   bearing.insert(bearing.end(), beside.begin(), beside.end());
-  if (auto found = follows_from_trial(row, bearing)) return found;
-  return takes_a_root(row, bearing);
+  return takes_a_root(row, bearing, false);
 }
 
 }  // namespace
@@ -191,8 +192,15 @@ std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names, co
   if (cache.budget().exhausted()) return std::nullopt;
   const bool of_states =
       speaks_of_states(tree, claim.equation) || holds_letters(tree, names.scope, claim.equation);
-  const ShareOfWork share(cache, of_states ? most_work_of_states : most_work);
-  return follow({tree, names, claim, &cache}, available, inferred);
+  const RowUnderLaws row{tree, names, claim, &cache};
+  {
+    const ShareOfWork share(cache, of_states ? most_work_of_states : most_work);
+    if (auto found = follow(row, available, inferred)) return found;
+  }
+  const ShareOfWork share(cache, most_work);
+  const Laws bearing = laws_that_bear(tree, names.scope, claim.equation, available.all);
+  if (auto found = follows_from_trial(row, bearing)) return found;
+  return takes_a_root(row, bearing, true);
 }
 
 bool is_denied_by_laws(ExprTree& tree, const Names& names, const Claim& claim, const Laws& available,

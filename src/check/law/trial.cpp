@@ -135,6 +135,15 @@ bool are_all_steady(const RowUnderLaws& row, const Trial& trial) {
   });
 }
 
+/// Those near the row first: another section may have tried another function.
+Laws nearest_first(const RowUnderLaws& row, Laws laws) {
+  const FileId file = row.claim.relation.file;
+  std::ranges::stable_sort(laws, std::ranges::greater{}, [&](const PageLaw* law) {
+    return std::pair(law->span.file == file, law->span.begin);
+  });
+  return laws;
+}
+
 std::optional<Trial> trial_among(const RowUnderLaws& row, const Laws& bearing) {
   for (const PageLaw* function : bearing) {
     const auto unknown = tried_letter(row, *function);
@@ -363,7 +372,7 @@ class Squares {
 std::optional<Judgement> follows_from_trial(const RowUnderLaws& row, const Laws& bearing) {
   const Equation& own = row.claim.equation;
   if (own.relation != Relation::equal || !own.indices.empty()) return std::nullopt;
-  const auto trial = trial_among(row, bearing);
+  const auto trial = trial_among(row, nearest_first(row, bearing));
   if (!trial) return std::nullopt;
   const std::set<SymbolId> letters = base_letters(row.tree, row.names.scope, own);
   const bool of_constants = std::ranges::none_of(letters, [&](SymbolId each) {

@@ -316,7 +316,8 @@ bool is_of_a_moment(const RowPlace& place) {
   const std::string lead = lowered(beside(place).lead);
   const std::vector<std::string_view> words = words_of(lead);
   for (std::size_t k = 0; k < words.size(); ++k) {
-    if (is_one_of(words[k], moments)) return true;
+    const bool lasts = words[k] == "fixed" && k > 0 && words[k - 1] == "of";  // "a force of fixed amplitude"
+    if (is_one_of(words[k], moments) && !lasts) return true;
     const bool rate = k > 0 && words[k - 1] == "rate";  // "the rate at which"
     if (words[k] == "at" && !rate && (k + 1 == words.size() || !is_one_of(words[k + 1], all))) return true;
   }

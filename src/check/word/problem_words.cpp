@@ -47,7 +47,10 @@ bool turns_a_problem_down(const std::string& sentence, bool tries) {
   const std::string text = lowered(sentence);
   const std::vector<std::string_view> said = words_of(text);
   for (std::size_t k = 0; k < said.size(); ++k) {
-    if (is_one_of(said[k], words) && !(tries && asks_when_a_trial_works(said, k))) return true;
+    // "With $y(0) = 1$ and two different roots"
+    const bool counts =
+        said[k] == "different" && k > 0 && is_one_of(said[k - 1], {"two", "three", "both", "several", "all"});
+    if (is_one_of(said[k], words) && !counts && !(tries && asks_when_a_trial_works(said, k))) return true;
   }
   return false;
 }
