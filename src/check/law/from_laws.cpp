@@ -20,6 +20,7 @@ namespace rigor {
 namespace {
 
 constexpr std::uint64_t most_work = 250'000;  // on all sets together, of the work that a step may take
+constexpr std::uint64_t most_work_of_trials = 1'000'000;  // few rows stand below one
 constexpr std::uint64_t most_work_of_states = 1'500'000;  // where derivatives hold letters by name
 
 /// The row says again what a law says.
@@ -197,7 +198,7 @@ std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names, co
     const ShareOfWork share(cache, of_states ? most_work_of_states : most_work);
     if (auto found = follow(row, available, inferred)) return found;
   }
-  const ShareOfWork share(cache, most_work);
+  const ShareOfWork share(cache, most_work_of_trials);
   const Laws bearing = laws_that_bear(tree, names.scope, claim.equation, available.all);
   if (auto found = follows_from_trial(row, bearing)) return found;
   return takes_a_root(row, bearing, true);
