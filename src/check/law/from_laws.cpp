@@ -200,8 +200,8 @@ std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names, co
   }
   const ShareOfWork share(cache, most_work_of_trials);
   const Laws bearing = laws_that_bear(tree, names.scope, claim.equation, available.all);
-  if (auto found = follows_from_trial(row, bearing)) return found;
-  return takes_a_root(row, bearing, true);
+  if (auto found = takes_a_root(row, bearing, true)) return found;
+  return follows_from_trial(row, bearing);
 }
 
 bool is_denied_by_laws(ExprTree& tree, const Names& names, const Claim& claim, const Laws& available,

@@ -228,18 +228,26 @@ class PutIn {
   DerivativeBudget budget_;
 };
 
-/// The equation and its derivatives where the variables are 0; nothing where one is not known there.
+/// The equation and its derivatives where the variables are 0; nothing where one is not known there. Higher
+/// ones say that the trial function can solve it at all: `A\cos\omega t` solves no `\ddot x + x^3 = 0`.
 std::optional<std::vector<Equation>> equations_at_zero(PutIn& put_in, const Trial& trial) {
   const auto whole = put_in.equation();
   if (!whole) return std::nullopt;
-  std::vector<Equation> along{*whole};
-  for (const VariableOfTrial& by : trial.variables) {
-    for (std::size_t k = 0, count = along.size(); k < count; ++k)
-      along.push_back(put_in.differentiated(along[k], by));
+  const int most = trial.variables.size() > 1 ? 2 : 3;  // derivatives in all
+  struct Derived {
+    Equation equation;
+    std::size_t last = 0;  // the variable of the last derivative
+    int order = 0;
+  };
+  std::vector<Derived> along{{*whole}};
+  for (std::size_t k = 0; k < along.size(); ++k) {
+    const Derived of = along[k];
+    for (std::size_t by = of.last; by < trial.variables.size() && of.order < most; ++by)
+      along.push_back({put_in.differentiated(of.equation, trial.variables[by]), by, of.order + 1});
   }
   std::vector<Equation> found;
-  for (const Equation& each : along) {
-    const auto at_zero = put_in.at_zero(each);
+  for (const Derived& each : along) {
+    const auto at_zero = put_in.at_zero(each.equation);
     if (!at_zero) return std::nullopt;
     found.push_back(*at_zero);
   }
@@ -387,19 +395,26 @@ std::optional<Judgement> follows_from_trial(const RowUnderLaws& row, const Laws&
   std::vector<Equation> all = *equations;
   all.push_back(own);
   Squares squares(row, all);
-  std::vector<PageLaw> laws;
-  for (const Equation& each : *equations) {
-    const auto vanishes = [&](ExprId side) { return row.tree.is_zero_literal(side); };
-    if (vanishes(each.left) && vanishes(each.right)) continue;
-    PageLaw& law = laws.emplace_back(*trial->equation);
-    law.equation = squares.replaced_in(each);
-    law.at_instant = true;
-  }
-  Laws set;
-  for (const PageLaw& law : laws) set.push_back(&law);
   Names names = with_letters_not_zero(row, letters_of_a_trial(row, *trial));
   squares.assume_in(names);
   Claim claim = row.claim;
+  std::vector<PageLaw> laws;
+  laws.reserve(equations->size());
+  Laws set;
+  for (const Equation& each : *equations) {
+    const auto vanishes = [&](ExprId side) { return row.tree.is_zero_literal(side); };
+    if (vanishes(each.left) && vanishes(each.right)) continue;
+    claim.equation = squares.replaced_in(each);
+    // Most higher derivatives say nothing new.
+    const bool further = laws.size() > trial->variables.size();
+    if (further &&
+        judge(row.tree, with_laws(row.tree, names, set), claim, {}, row.cache).verdict == Verdict::proved)
+      continue;
+    PageLaw& law = laws.emplace_back(*trial->equation);
+    law.equation = claim.equation;
+    law.at_instant = true;
+    set.push_back(&law);
+  }
   claim.equation = squares.replaced_in(own);
   auto found = prove_from({row.tree, names, claim, row.cache}, set);
   if (!found || !is_one_of(trial->equation->name, found->uses)) return std::nullopt;

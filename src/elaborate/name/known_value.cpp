@@ -149,7 +149,10 @@ std::optional<FoundDefinition> value_of_function(ExprTree& tree, const Names& na
   // s of `f(s)`, where `f(x) = a + b(x - s)`: a place of f, which does not follow the variable.
   const auto is_where = [&](SymbolId each) {
     const NameKey* key = key_of(names.symbols, each);
-    return key != nullptr && !has_rate(*names.symbols.sightings, *key) &&
+    if (key == nullptr) return false;
+    const auto tied = names.symbols.evidence->tied.find(changing_name(key->base));  // `s = \alpha x`
+    return (tied == names.symbols.evidence->tied.end() || tied->second.empty()) &&
+           !has_rate(*names.symbols.sightings, *key) &&
            std::ranges::any_of(
                value.at,
                [&](ExprId where) { return tree[where].op == Op::symbol && tree[where].symbol == each; }) &&
