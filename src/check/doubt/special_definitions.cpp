@@ -45,7 +45,11 @@ bool is_another_case(std::string_view earlier, std::string_view lead) {
   if (first.empty() || second.empty()) return false;
   const bool contrasts =
       std::ranges::any_of(second, [](std::string_view word) { return is_one_of(word, contrasting); });
-  const bool opens = first.size() > 1 && is_one_of(first[0], opening);  // a bare "with" names no case
+  const bool lists = first[0] == "with" && std::ranges::any_of(first, [](std::string_view word) {
+                       return is_one_of(word, {"root", "roots", "solutions", "zeros", "eigenvalues"});
+                     });
+  // A bare "with" names no case, nor does "with the two roots".
+  const bool opens = first.size() > 1 && is_one_of(first[0], opening) && !lists;
   const bool brings_in = second[0] == "with" && second.size() > 1 && second[1] == "$";  // "with $k = …$"
   return contrasts || (opens && is_one_of(second[0], opening) && !brings_in);
 }

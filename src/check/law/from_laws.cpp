@@ -15,6 +15,7 @@
 #include "check/law/restated.h"
 #include "check/law/solves.h"
 #include "check/law/states.h"
+#include "check/meaning/identity_reading.h"
 #include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
@@ -26,6 +27,7 @@ namespace {
 constexpr std::uint64_t most_work = 250'000;  // on all sets together, of the work that a step may take
 constexpr Limits limits_of_squares{
     .expanded_terms = 20'000, .steps = 50'000, .sample_attempts = 1, .simplest_sample = false};
+constexpr std::uint64_t most_work_of_trials = 1'000'000;  // few rows stand below one
 constexpr std::uint64_t most_work_of_states = 1'500'000;  // where derivatives hold letters by name
 
 /// The row says again what a law says.
@@ -124,35 +126,67 @@ std::map<std::string, ExprId> positive_beside_a_root(const RowUnderLaws& row, co
   return std::ranges::any_of(letters, is_said) ? std::map<std::string, ExprId>{} : letters;
 }
 
+/// The square of such a product, without its roots: a sample seldom has them.
+ExprId squared(ExprTree& tree, ExprId id) {
+  const ExprNode node = tree[id];
+  if (node.op == Op::root) return tree.children(id)[0];
+  if (node.op != Op::multiply && node.op != Op::divide)
+    return tree.add({.op = Op::power, .span = node.span, .exponent = 2}, std::span(&id, 1));
+  std::vector<ExprId> factors(tree.children(id).begin(), tree.children(id).end());
+  for (ExprId& factor : factors) factor = squared(tree, factor);
+  return tree.add({.op = node.op, .span = node.span}, factors);
+}
+
+/// `a + b = 0`, `pR = -qr`: of two products of letters one is negative.
+bool says_opposite_signs(const ExprTree& tree, const Equation& law) {
+  std::vector<SignedTerm> terms = signed_terms(tree, law.left);
+  for (SignedTerm term : signed_terms(tree, law.right)) {
+    if (tree.is_zero_literal(term.id)) continue;
+    term.negative = !term.negative;
+    terms.push_back(term);
+  }
+  std::erase_if(terms, [&](const SignedTerm& term) { return tree.is_zero_literal(term.id); });
+  const auto is_rate = [&](SymbolId each) { return tree.symbols[each].derivation.has_value(); };
+  return terms.size() == 2 && terms[0].negative == terms[1].negative &&
+         std::ranges::none_of(symbols_in(tree, law.left), is_rate) &&
+         std::ranges::none_of(symbols_in(tree, law.right), is_rate);
+}
+
 /// `u = \sqrt{2gh}` of `u^2/2 = gh`: the squares follow, and the root is the one that is not negative.
-std::optional<Judgement> takes_a_root(const RowUnderLaws& row, const Laws& bearing) {
+/// `of_trial`: of what a trial function asks.
+std::optional<Judgement> takes_a_root(const RowUnderLaws& row, const Laws& bearing, bool of_trial) {
   const std::map<std::string, ExprId> letters = positive_beside_a_root(row, bearing);
-  if (letters.empty()) return std::nullopt;
-  const auto square = [&](ExprId side) {
-    return row.tree.add({.op = Op::power, .span = row.tree[side].span, .exponent = 2}, std::span(&side, 1));
-  };
+  const bool alone = letters.size() == 1 && row.tree[row.claim.equation.left].op == Op::symbol;
+  if (letters.empty() || (!alone && row.names.symbols.evidence->speaks_of_signs)) return std::nullopt;
+  const auto is_signed = [&](const PageLaw* law) { return says_opposite_signs(row.tree, law->equation); };
+  if (!alone && std::ranges::any_of(bearing, is_signed)) return std::nullopt;
   Claim squares = row.claim;
-  squares.equation.left = square(row.claim.equation.left);
-  squares.equation.right = square(row.claim.equation.right);
+  squares.equation.left = squared(row.tree, row.claim.equation.left);
+  squares.equation.right = squared(row.tree, row.claim.equation.right);
+  const RowUnderLaws of_squares{row.tree, row.names, squares, row.cache};
   std::vector<std::string> names;
   for (const auto& [name, letter] : letters) names.push_back(fmt::format("`{}`", name));
   const std::string says =
       fmt::format("convention: {} {} not negative, since a root is written for {}", fmt::join(names, " and "),
                   names.size() == 1 ? "is" : "are", names.size() == 1 ? "it" : "them");
   const ExprId zero = row.tree.add_number(row.claim.relation, "0");
-  for (const Laws& set : sets_of(row.tree, bearing)) {
-    std::optional<Judgement> found = set.empty()
-                                         ? judge(row.tree, row.names, squares, limits_of_squares, row.cache)
-                                         : prove_from({row.tree, row.names, squares, row.cache}, set);
-    if (!found || found->verdict != Verdict::proved || found->uses.empty()) continue;
+  const auto with_signs = [&](std::optional<Judgement> found, const Laws& set) -> std::optional<Judgement> {
+    if (!found || found->verdict != Verdict::proved || found->uses.empty()) return std::nullopt;
     Names positive = with_laws(row.tree, row.names, set);  // none of which may say that one is negative
     for (const auto& [name, letter] : letters)
       assume(
           positive.scope,
           {{.left = zero, .right = letter, .relation = Relation::less}, Origin{says, {}, std::nullopt}, 0});
-    if (!sample_of_assumptions(row.tree, positive, {}, {}, row.cache)) continue;
+    if (!sample_of_assumptions(row.tree, positive, {}, {}, row.cache)) return std::nullopt;
     found->uses.push_back(says);
     return found;
+  };
+  if (of_trial) return with_signs(follows_from_trial(of_squares, bearing), {});
+  for (const Laws& set : sets_of(row.tree, bearing)) {
+    auto found = set.empty()
+                     ? std::optional(judge(row.tree, row.names, squares, limits_of_squares, row.cache))
+                     : prove_from(of_squares, set);
+    if (auto proved = with_signs(std::move(found), set)) return proved;
   }
   return std::nullopt;
 }
@@ -189,7 +223,7 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const AvailableLaws& av
     if (auto found = prove_from(row, set)) return found;
   }
   bearing.insert(bearing.end(), beside.begin(), beside.end());
-  return takes_a_root(row, bearing);
+  return takes_a_root(row, bearing, false);
 }
 
 }  // namespace
@@ -201,8 +235,15 @@ std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names, co
   if (cache.budget().exhausted()) return std::nullopt;
   const bool of_states =
       speaks_of_states(tree, claim.equation) || holds_letters(tree, names.scope, claim.equation);
-  const ShareOfWork share(cache, of_states ? most_work_of_states : most_work);
-  return follow({tree, names, claim, &cache}, available, inferred);
+  const RowUnderLaws row{tree, names, claim, &cache};
+  {
+    const ShareOfWork share(cache, of_states ? most_work_of_states : most_work);
+    if (auto found = follow(row, available, inferred)) return found;
+  }
+  const ShareOfWork share(cache, most_work_of_trials);
+  const Laws bearing = laws_that_bear(tree, names.scope, claim.equation, available.all);
+  if (auto found = takes_a_root(row, bearing, true)) return found;
+  return follows_from_trial(row, bearing);
 }
 
 bool is_denied_by_laws(ExprTree& tree, const Names& names, const Claim& claim, const Laws& available,

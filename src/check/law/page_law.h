@@ -30,6 +30,7 @@ struct PageLaw {
   bool of_its_own = false;      // words before it speak of something: "Particle B obeys"
   bool names_a_letter = false;  // "with $N = a^\dagger a$": a letter that is new there
   bool by_convention = false;   // `\hat x^\dagger = \hat x`: beside every set of laws, where adjoints are
+  bool proves_only = false;     // no slip is suspected beside it
   Standing standing = Standing::law;
 };
 

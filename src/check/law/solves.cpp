@@ -73,12 +73,14 @@ std::optional<DifferentialEquation> order_in(const ExprTree& tree, const Equatio
 }
 
 /// Does another row say what the unknown is, below the one that begins the problem? Then its constants are
-/// not free any more.
-bool is_solved_since(const ExprTree& tree, const Laws& bearing, SymbolId unknown, Span begin) {
+/// not free any more; but a general solution with other constants is one still, below another one.
+bool is_solved_since(const ExprTree& tree, const Laws& bearing, SymbolId unknown, Span begin,
+                     bool is_general) {
   const auto is_it = [&](ExprId side) { return tree[side].op == Op::symbol && tree[side].symbol == unknown; };
   return std::ranges::any_of(bearing, [&](const PageLaw* law) {
     const bool above = law->span.file == begin.file && law->span.begin < begin.begin;
-    return !above && (is_it(law->equation.left) || is_it(law->equation.right));
+    const bool solves = is_general && law->standing == Standing::result;
+    return !above && !solves && (is_it(law->equation.left) || is_it(law->equation.right));
   });
 }
 
@@ -370,7 +372,7 @@ std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing, co
   known.insert(known.end(), constants.begin(), constants.end());
   const Span begin = conditions.empty() ? solved->law->span : conditions.front().law->span;
   const bool any = solved->particular;
-  if (!any && is_solved_since(row.tree, bearing, of.unknown, begin)) return std::nullopt;
+  if (!any && is_solved_since(row.tree, bearing, of.unknown, begin, is_general)) return std::nullopt;
   if (!any && !is_general && (!constants.empty() || !leave_one_solution(row.tree, row.names, of, conditions)))
     return std::nullopt;
   const Names names = with_row_put_in(row, of.unknown, known);

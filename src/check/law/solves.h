@@ -36,4 +36,13 @@ struct SolvedEquation {
 [[nodiscard]] std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing,
                                               const Laws& available);
 
+// --- trial.cpp: `x = A\cos(\omega t - \delta)` in `\ddot x + 2\gamma\dot x + \omega_0^2x = f\cos\omega t`:
+// what a trial function asks of its constants.
+
+/// Does the row follow since the nearest law with derivatives of an unknown holds, with what another law says
+/// of the unknown put in, for all values of its variables? It is asked for where they are 0, for the equation
+/// and its first derivatives. That the trial function is not 0 and changes with its variables is a
+/// convention, which `uses` names.
+[[nodiscard]] std::optional<Judgement> follows_from_trial(const RowUnderLaws& row, const Laws& bearing);
+
 }  // namespace rigor

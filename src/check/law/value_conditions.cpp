@@ -18,6 +18,7 @@ std::optional<ValueCondition> condition_in(const ExprTree& tree, const Names& na
   if (law.equation.relation != Relation::equal) return std::nullopt;
   for (const ExprId side : {law.equation.left, law.equation.right}) {
     for (const SymbolId symbol : symbols_in(tree, side)) {
+      if (base_of(tree.symbols, symbol) == unknown) return std::nullopt;  // `y = y(0)e^{kx}` is a solution
       const auto value = names.symbols.function_values.find(symbol);
       if (value == nullptr) continue;
       const Symbol& function = tree.symbols[value->second.of];

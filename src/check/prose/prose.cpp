@@ -364,14 +364,15 @@ class ProseReader {
     return sentence_.substr(begin, end - begin);
   }
 
-  /// "the reduced mass $\mu = …$", "its momentum is $p = …$"
-  bool names_mathematics() const {
+  /// "its momentum is $p = …$", "with the radius $r = …$"
+  bool names_in_passing() const {
     const std::string word = word_before_mathematics();
-    if (is_named_quantity(word)) return true;
+    if (is_measure(word)) return true;
     if (word != "is") return false;
     const std::size_t begin = sentence_.find_last_of(".;:,$\n", sentence_.size() - 2) + 1;
     const std::vector<std::string_view> clause = words_of(std::string_view(sentence_).substr(begin));
-    return std::ranges::any_of(clause, is_named_quantity);
+    return std::ranges::any_of(
+        clause, [](std::string_view each) { return is_named_quantity(each) || is_measure(each); });
   }
 
   bool stands_behind_a_comma() const {
@@ -428,14 +429,17 @@ class ProseReader {
       prose_.said.back().argument = argument_;
       prose_.said.back().at_place = at_place_;
       prose_.said.back().maths = texts_.size() - 1;
-      if (cue_ == Cue::none && names_mathematics()) {
-        prose_.said.back().cue = Cue::definition;
+      if (cue_ == Cue::none && is_named_quantity(word_before_mathematics())) {
+        prose_.said.back().cue = Cue::definition;  // "the reduced mass $\mu = …$"
         prose_.said.back().named = true;
       }
       if (cue_ == Cue::none && goes_on_from_display()) prose_.said.back().cue = Cue::definition;
-      if (cue_ == Cue::none && stands_behind_a_comma() && is_full_stop(text, end + (dollar ? 1 : 2))) {
-        prose_.said.back().cue = Cue::definition;  // "rolls without slipping, $v = \omega R$."
+      // "rolls without slipping, $v = \omega R$."
+      const bool apposed = stands_behind_a_comma() && is_full_stop(text, end + (dollar ? 1 : 2));
+      if (prose_.said.back().cue == Cue::none && (apposed || names_in_passing())) {
+        prose_.said.back().cue = Cue::definition;
         prose_.said.back().named = true;
+        prose_.said.back().in_passing = true;
       }
     }
     return end + (dollar ? 1 : 2);

@@ -31,6 +31,7 @@ struct SaidInLine {
   std::size_t argument = 0;              // as in `ProseBeside`
   bool at_place = false;                 // after "at the wall", "on the axis": it holds there only
   bool named = false;                    // "is the frequency": it holds only if it brings in its letter
+  bool in_passing = false;               // "its momentum is $p = mv$": of what the argument speaks of
   std::size_t maths = 0;                 // its number among the mathematics of its sentence
   bool alone = false;                    // no display is in its sentence, or it is in a heading
   std::vector<ParsedChain> chains = {};  // filled by who parses it

@@ -18,6 +18,19 @@ namespace {
 /// t of `t'` and `t_1`.
 std::string without_marks(const std::string& letter) { return letter.substr(0, letter.find_first_of("_^'")); }
 
+/// R of `U = RI` beside `dP/dU`: what the variable is made of may change with it. Masses and constants of
+/// nature do not.
+bool is_made_of(const Names& names, SymbolId variable, SymbolId symbol) {
+  const NameKey* own = key_of(names.symbols, symbol);
+  const NameKey* of = key_of(names.symbols, variable);
+  if (own == nullptr || of == nullptr || is_mass_or_constant(own->base)) return false;
+  const auto& tied = names.symbols.evidence->tied;
+  const auto made = tied.find(changing_name(of->base));
+  if (made == tied.end()) return false;
+  const auto rows = made->second.find(changing_name(own->base));
+  return rows != made->second.end() && rows->second.of_the_letter;
+}
+
 /// `\dot\theta` of which nothing says what it is.
 bool has_free_rates(const ExprTree& tree, const NameScope& scope, const std::vector<SymbolId>& symbols) {
   return std::ranges::any_of(symbols, [&](SymbolId each) {
@@ -157,7 +170,8 @@ bool is_parameter(const Names& names, const ExprTree& tree, SymbolId symbol, con
   const bool is_function = functions != evidence.functions.end() && !functions->second.empty();
   return !changes_in_time && !is_function && !evidence.with_primes.contains(changing_name(own->base)) &&
          std::ranges::none_of(along, [&](SymbolId letter) {
-           return symbol == letter || counts_along(names, symbol, letter, row);
+           return symbol == letter || counts_along(names, symbol, letter, row) ||
+                  is_made_of(names, letter, symbol);
          });
 }
 

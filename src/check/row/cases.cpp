@@ -99,6 +99,7 @@ std::string_view singular(std::string_view word) {
 std::string without_what_heading_says(std::string text, std::string_view heading) {
   static constexpr std::array<std::string_view, 6> articles{"a", "an", "the", "any", "every", "such"};
   std::vector<std::string_view> headed = words_of(heading);
+  if (is_one_of("and", headed) || is_one_of("or", headed) || is_one_of("versus", headed)) return text;
   std::ranges::transform(headed, headed.begin(), singular);
   static constexpr std::string_view beginning = "for ";
   for (auto at = text.find(beginning); at != std::string::npos; at = text.find(beginning, at + 1)) {

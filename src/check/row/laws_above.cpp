@@ -20,6 +20,7 @@
 #include "check/question/base_letters.h"
 #include "check/question/running_letters.h"
 #include "check/word/place_words.h"
+#include "check/word/problem_words.h"
 #include "check/word/prose_words.h"
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/name/function_value.h"
@@ -44,13 +45,17 @@ bool means_the_same(const RowPlace& place, const StatedLaw& stated) {
   });
 }
 
+/// `R + T = 1`
+bool is_one(const ExprTree& tree, const Equation& equation) {
+  const auto one = [&](ExprId side) { return tree[side].op == Op::number && tree.digits(side) == "1"; };
+  return one(equation.left) || one(equation.right);
+}
+
 /// `\omega_0 = 5.0\,\mathrm{s^{-1}}`: a letter and a number, of an example. A commutator that is a number
 /// holds for good, and so does `R + T = 1`.
 bool is_value(const ExprTree& tree, const Equation& equation) {
   if (has_operators(tree, equation.left) || has_operators(tree, equation.right)) return false;
-  const auto is_pure = [&](ExprId side) { return symbols_in(tree, side).empty(); };
-  const bool pure = is_pure(equation.left) || is_pure(equation.right);
-  if (pure && written_letters(tree, equation).size() > 1) return false;
+  if (is_one(tree, equation) && written_letters(tree, equation).size() > 1) return false;
   const auto is_number = [&](ExprId side) { return !tree.is_zero_literal(side) && is_measured(tree, side); };
   return is_number(equation.left) || is_number(equation.right);
 }
@@ -239,6 +244,18 @@ bool speaks_of_another_thing_since(const RowPlace& place, std::size_t sentence) 
   return false;
 }
 
+/// "We insert this": the display right above its sentence.
+bool is_pointed_at(const RowPlace& place, const PageLaw& law) {
+  if (!points_at_the_row_above(beside(place).lead)) return false;
+  std::size_t event = place.event;
+  while (event > 0 && place.notes.prose.beside[event].sentence == beside(place).sentence) --event;
+  const auto* above = std::get_if<ParsedDisplay>(&place.notes.events[event]);
+  return above != nullptr && std::ranges::any_of(above->chains, [&](const ParsedChain& chain) {
+           const Span of = chain.written.span;
+           return of.file == law.span.file && of.begin <= law.span.begin && law.span.end <= of.end;
+         });
+}
+
 /// Above in this section or one around it; of earlier sections, what is not said for a case or an example. A
 /// case holds in its paragraph, and where it is named; under a condition, where that is said as well.
 bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& reach) {
@@ -249,7 +266,8 @@ bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& r
       stated.conditions, [&](const std::string& each) { return is_one_of(each, reach.conditions); });
   if (!said || (stated.poses && names_another_thing(here.lead))) return false;
   if (stated.explained_in && speaks_of_another_thing_since(place, *stated.explained_in)) return false;
-  const bool in_reach = law.argument == here.argument || is_named_beside(place, stated);
+  const bool in_reach =
+      law.argument == here.argument || is_named_beside(place, stated) || is_pointed_at(place, law);
   if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
   const bool reaches = sections.reaches(law.place, here.place);
   if (!reaches && (stated.of_a_section || stated.poses || sections.leaves_an_example(law.place, here.place) ||
@@ -306,7 +324,8 @@ bool is_of_a_moment(const RowPlace& place) {
   const std::string lead = lowered(beside(place).lead);
   const std::vector<std::string_view> words = words_of(lead);
   for (std::size_t k = 0; k < words.size(); ++k) {
-    if (is_one_of(words[k], moments)) return true;
+    const bool lasts = words[k] == "fixed" && k > 0 && words[k - 1] == "of";  // "a force of fixed amplitude"
+    if (is_one_of(words[k], moments) && !lasts) return true;
     const bool rate = k > 0 && words[k - 1] == "rate";  // "the rate at which"
     if (words[k] == "at" && !rate && (k + 1 == words.size() || !is_one_of(words[k + 1], all))) return true;
   }
@@ -357,6 +376,22 @@ bool is_about_values(const RowPlace& place, const Equation& equation) {
     }
   }
   return found;
+}
+
+bool states_values(const RowPlace& place, const ParsedChain& parsed, const ChainReading& reading) {
+  const std::size_t last = reading.sides.size() - 1;
+  if (last < 2 || !std::ranges::all_of(parsed.written.relations, [](const WrittenRelation& each) {
+        return each.kind == RelationKind::equal;
+      }))
+    return false;
+  const auto is_value = [&](const ChainReading::Side& side) {
+    const ExprTree& tree = place.tree;
+    return side.typed && tree[side.typed->id].op == Op::symbol &&
+           !tree.symbols[base_of(tree.symbols, tree[side.typed->id].symbol)].integral &&
+           is_function_value(place.names, tree, tree[side.typed->id].symbol);
+  };
+  return std::all_of(reading.sides.begin(), reading.sides.end() - 1, is_value) && reading.sides[last].typed &&
+         !is_value(reading.sides[last]);
 }
 
 bool says_values_at_a_moment(const RowPlace& place, const Equation& equation) {
@@ -419,6 +454,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
                            is_of_a_passing_case(place, !operators) || is_value(place.tree, equation) ||
                            determines_a_letter(place.tree, equation),
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
+              .proves_only = !operators && is_one(place.tree, equation),
               .standing = standing};
   place.found.stated.push_back({.law = std::move(law),
                                 .labels = labels_of(parsed.written),
@@ -501,32 +537,10 @@ bool is_differential_equation(const ExprTree& tree, const Equation& equation) {
          (std::ranges::any_of(left, is_rate) || std::ranges::any_of(right, is_rate));
 }
 
-/// "The ansatz $x = Ae^{\lambda t}$ leads to", "inserting $x = …$".
-bool speaks_of_a_trial(const std::string& sentence) {
-  const std::string text = lowered(sentence);
-  static constexpr std::array<std::string_view, 7> stems{"ansatz",    "trial", "try",  "insert",
-                                                         "substitut", "plug",  "guess"};
-  return std::ranges::any_of(words_of(text), [](std::string_view word) {
-    return std::ranges::any_of(stems, [&](std::string_view stem) { return word.starts_with(stem); });
-  });
-}
-
 /// `Ae^{\lambda t}`, and not `\gamma mv`, which says what a momentum is.
 bool has_a_function(const ExprTree& tree, ExprId side) {
   return std::ranges::any_of(nodes_below(tree, {side}),
                              [&](ExprId id) { return tree[id].op == Op::function; });
-}
-
-/// "It is wrong that", "compared with", "instead of": no problem is posed.
-bool turns_a_problem_down(const std::string& sentence) {
-  static constexpr auto words = std::to_array<std::string_view>(
-      {"wrong",   "wrongly",   "false",    "incorrect", "incorrectly", "mistaken", "mistake",
-       "not",     "no",        "never",    "cannot",    "nor",         "neither",  "without",
-       "unlike",  "compare",   "compared", "instead",   "rather",      "contrary", "contrast",
-       "whereas", "different", "differs",  "other",     "another",     "replaced", "except",
-       "unless",  "forget",    "suppose",  "imagine",   "would",       "were",     "if"});
-  const std::string text = lowered(sentence);
-  return std::ranges::any_of(words_of(text), [](std::string_view word) { return is_one_of(word, words); });
 }
 
 /// "$$x' = \gamma(x - vt)$$ with $\gamma = …$": the letter stands in the display that it is said of.
@@ -545,10 +559,48 @@ bool explains_its_display(const RowPlace& place, const SaidInLine& said,
   return false;
 }
 
-/// x of `\ddot x` and `dx/dt` on the page.
+/// x of `\ddot x` and `dx/dt` on the page, y of `y''` and `dy/dx` in the section.
 bool is_differentiated(const RowPlace& place, SymbolId letter) {
   const NameKey* key = key_of(place.names.symbols, letter);
-  return key != nullptr && has_rate(*place.names.symbols.sightings, *key);
+  if (key == nullptr) return false;
+  const Evidence& evidence = *place.names.symbols.evidence;
+  return has_rate(*place.names.symbols.sightings, *key) || evidence.primed.contains(key->base) ||
+         std::ranges::any_of(
+             evidence.by, [&](const auto& each) { return each.second.contains(changing_name(key->base)); });
+}
+
+StatedLaw stated_in_line(RowPlace& place, const SaidInLine& said, const Equation& equation, bool of_a_case,
+                         std::string_view words) {
+  PageLaw law{
+      .equation = equation,
+      .name = fmt::format("{} (line {})", written_at(place, said.span),
+                          place.sources.line_column(said.span.file, said.span.begin).line),
+      .span = said.span,
+      .place = said.place,
+      .argument = said.argument,
+      .of_a_case = of_a_case || said.in_passing || word_that_demands(words) || word_of_a_special_case(words),
+      .proves_only = said.in_passing};
+  return {.law = std::move(law),
+          .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
+          .of_case = case_said_in(place.notes.prose, said.sentence, place.section),
+          .letter = letter_of_law(place.tree, equation),
+          .meanings = meanings_of(place, equation)};
+}
+
+/// "With $y(0) = y'(0) = 0$": each value by itself.
+void leave_values_said(RowPlace& place, const SaidInLine& said, const ParsedChain& chain,
+                       const std::string& sentence) {
+  const auto reading = read_here(place, chain);
+  if (!states_values(place, chain, *reading) || turns_a_problem_down(sentence)) return;
+  for (std::size_t k = 0; k + 1 < reading->sides.size(); ++k) {
+    Diagnostics ignored;
+    const auto claim =
+        reading->claim(chain, 0, *reading->sides[k].typed, *reading->sides.back().typed, false, ignored);
+    if (!claim || !ignored.empty() || !is_about_values(place, claim->equation)) continue;
+    StatedLaw stated = stated_in_line(place, said, claim->equation, false, lowered(sentence));
+    stated.poses = true;
+    place.found.stated.push_back(std::move(stated));
+  }
 }
 
 }  // namespace
@@ -561,8 +613,10 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
   const bool may_name = said.cue == Cue::definition && !said.at_place;
   const bool may_try = may_name || (said.cue == Cue::none && speaks_of_a_trial(sentence->text));
   for (const ParsedChain& chain : said.chains) {
-    if (chain.sides.size() != 2 || chain.written.relations[0].kind != RelationKind::equal ||
-        chain.written.condition || chain.written.doubt ||
+    const bool plain = !chain.written.condition && !chain.written.doubt;
+    if (chain.sides.size() > 2 && plain && may_speak_of_a_function(place.notes.syntax, chain))
+      leave_values_said(place, said, chain, sentence->text);
+    if (chain.sides.size() != 2 || chain.written.relations[0].kind != RelationKind::equal || !plain ||
         !(may_name || may_try || may_speak_of_a_function(place.notes.syntax, chain)))
       continue;
     const auto reading = read_here(place, chain);
@@ -589,26 +643,14 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
     const bool of_values = is_about_values(place, equation);
     const bool says =
         of_values || tries || (!said.at_place && is_differential_equation(place.tree, equation));
-    const bool poses = says && !turns_a_problem_down(sentence->text);
+    const bool poses = says && !turns_a_problem_down(sentence->text, tries);
     if (!names && !poses) continue;
     const std::string words = lowered(sentence->text);
-    PageLaw law{
-        .equation = equation,
-        .name = fmt::format("{} (line {})", written_at(place, said.span),
-                            place.sources.line_column(said.span.file, said.span.begin).line),
-        .span = said.span,
-        .place = said.place,
-        .argument = said.argument,
-        .of_a_case = !(names || of_values) || word_that_demands(words) || word_of_a_special_case(words),
-        .names_a_letter = brings_in};
-    place.found.stated.push_back(
-        {.law = std::move(law),
-         .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
-         .of_case = case_said_in(place.notes.prose, said.sentence, place.section),
-         .letter = letter_of_law(place.tree, equation),
-         .meanings = meanings_of(place, equation),
-         .poses = poses,
-         .explained_in = names && explains ? std::optional(said.sentence) : std::nullopt});
+    StatedLaw stated = stated_in_line(place, said, equation, !(names || of_values), words);
+    stated.law.names_a_letter = brings_in;
+    stated.poses = poses;
+    if (names && explains) stated.explained_in = said.sentence;
+    place.found.stated.push_back(std::move(stated));
   }
 }
 

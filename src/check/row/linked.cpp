@@ -27,7 +27,7 @@ bool explains_display_above(const ProseBeside& beside) {
   const std::vector<std::string_view> words = words_of(std::string_view(beside.lead).substr(above + 1));
   if (words.empty() || !is_one_of(words.front(), openings)) return false;
   constexpr std::size_t longest = 4;
-  if (words.size() <= longest && is_named_quantity(words.back())) return true;
+  if (words.size() <= longest && (is_named_quantity(words.back()) || is_measure(words.back()))) return true;
   return std::ranges::all_of(words.begin() + 1, words.end(), [](std::string_view word) {
     return is_one_of(word, fillers) || is_one_of(word, openings);
   });

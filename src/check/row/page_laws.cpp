@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -26,7 +27,11 @@ namespace rigor {
 namespace {
 
 void leave(RowPlace& place, const StepReading& row, const Claim& claim, Standing standing) {
-  if (!claim.nearly) leave_to_rows_below(place, row.parsed, claim.equation, claim.relation, standing);
+  if (claim.nearly) return;
+  Equation equation = claim.equation;
+  if (states_values(place, row.parsed, row.reading))
+    equation.right = row.reading.sides.back().typed->id;  // `u(0) = 0` of `u(0) = u(h) = 0`
+  leave_to_rows_below(place, row.parsed, equation, claim.relation, standing);
 }
 
 /// Each is there once: results follow from results, and would double what they hold with each that follows.
@@ -224,6 +229,34 @@ std::optional<Variable> only_variable(const SymbolTable& symbols, SymbolId symbo
   return total ? std::optional(by) : std::nullopt;
 }
 
+/// dm, dV, dl, dq: elements of a body. What relates them need not be a change in time.
+bool is_an_element(const Names& names, SymbolId letter) {
+  const NameKey* key = key_of(names.symbols, letter);
+  const std::set<std::string> elements{"m", "M", "V", "A",       "S",     "l",     "\\ell",   "s", "q",
+                                       "Q", "N", "n", "\\Omega", "\\Phi", "\\tau", "\\sigma", "I", "B"};
+  return key == nullptr || elements.contains(key->base);
+}
+
+/// `dI = r^2\,dm`, `d\Phi = B\,dA`, `dN = f\,dv`: what the sum over a body is made of.
+bool relates_elements(const Names& names, const ExprTree& tree, const Claim& claim, const Laws& above) {
+  const auto relates = [&](const Equation& equation) {
+    const ExprNode& left = tree[equation.left];
+    const bool names_one = left.op == Op::symbol && is_differential(tree.symbols, left.symbol);
+    const NameKey* named = names_one ? key_of(names.symbols, base_of(tree.symbols, left.symbol)) : nullptr;
+    if (named != nullptr && is_one_of(named->base, {"N", "n", "m", "M", "q", "V", "I", "F", "B", "\\Phi"}))
+      return true;
+    return std::ranges::any_of(std::array{equation.left, equation.right}, [&](ExprId side) {
+      return std::ranges::any_of(symbols_in(tree, side), [&](SymbolId each) {
+        const bool is_named = side == equation.left && names_one;
+        return !is_named && is_differential(tree.symbols, each) &&
+               is_an_element(names, base_of(tree.symbols, each));
+      });
+    });
+  };
+  return relates(claim.equation) ||
+         std::ranges::any_of(above, [&](const PageLaw* law) { return relates(law->equation); });
+}
+
 /// `dA = \dot A`, `dt = 1`, where the row or its laws have rates beside differentials: these hold along every
 /// path, so also along the motion, whose parameter is the time. The same by a letter: `dA/dc` beside `dA` and
 /// `dc`.
@@ -253,7 +286,9 @@ std::vector<PageLaw> laws_along_a_path(RowPlace& place, const Claim& claim, cons
     return key != nullptr && key->base == "t";
   };
   const auto base = [&](SymbolId differential) { return base_of(tree.symbols, differential); };
-  if (!parameter && std::ranges::any_of(differentials, is_time, base)) parameter = By::time;
+  const bool in_a_time = std::ranges::any_of(differentials, is_time, base);
+  if (!parameter && in_a_time) parameter = By::time;
+  if (!in_a_time && relates_elements(place.names, tree, claim, above)) return {};
   if (!parameter) return {};
   const Span span = claim.relation;
   std::vector<PageLaw> laws;
@@ -261,7 +296,7 @@ std::vector<PageLaw> laws_along_a_path(RowPlace& place, const Claim& claim, cons
     const bool in_time = *parameter == By::time;
     const bool is_parameter = in_time ? is_time(base(each)) : base(each) == parameter->letter;
     const SymbolId rate = tree.symbols.derivative(base(each), *parameter);
-    PageLaw law{.equation = {}, .name = {}, .span = span, .by_convention = true};
+    PageLaw law{.equation = {}, .name = {}, .span = span, .by_convention = true, .proves_only = true};
     law.equation.left = tree.add({.op = Op::symbol, .span = span, .symbol = each});
     law.equation.right = is_parameter ? tree.add_number(span, "1")
                                       : tree.add({.op = Op::symbol, .span = span, .symbol = rate});
@@ -305,7 +340,8 @@ std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& ro
 bool is_open(const PageLaw& law) { return law.standing == Standing::conclusion; }
 
 bool is_announced(const RowPlace& place, const StepReading& row) {
-  return row.which > 0 || row.parsed.written.inference != Inference::none ||
+  const bool is_link = row.which > 0 && !states_values(place, row.parsed, row.reading);
+  return is_link || row.parsed.written.inference != Inference::none ||
          says_that_it_follows(beside(place).lead);
 }
 

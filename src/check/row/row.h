@@ -113,6 +113,9 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 /// `x(0) = x_0`, `u(h) = U`: it speaks of a moment or a place, and holds at all times. A letter alone beside
 /// such a value is another name of it, also N of `N_1(0) = N`.
 [[nodiscard]] bool is_about_values(const RowPlace& place, const Equation& equation);
+/// `u(0) = u(h) = 0`: several values, and no link follows from the others.
+[[nodiscard]] bool states_values(const RowPlace& place, const ParsedChain& parsed,
+                                 const ChainReading& reading);
 /// `x = 0`, `\phi = \phi_0`, `x_1 = x_2 + h` behind such words: it defines nothing, and has no rate.
 [[nodiscard]] bool says_values_at_a_moment(const RowPlace& place, const Equation& equation);
 /// "For instance": it holds where the example does.

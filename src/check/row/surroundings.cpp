@@ -92,6 +92,7 @@ struct LineAtRow {
 LineAtRow line_at_row(const RowPlace& place, const SaidInLine& said) {
   const ProseBeside& here = place.notes.prose.beside[place.event];
   if (said.sentence == here.sentence) return {.same_sentence = true};
+  if (said.in_passing && said.argument != here.argument) return {};
   const bool above = said.before <= place.event && (said.alone || said.cue == Cue::definition);
   if (!above || !place.notes.prose.sections.reaches(said.place, here.place)) return {};
   return {.stated_above = said.alone && said.sentence < here.sentence,

@@ -40,7 +40,8 @@ namespace {
 Laws grounds_for_suspicion(const RowPlace& place, Laws laws) {
   const ProseBeside& here = beside(place);
   std::erase_if(laws, [&](const PageLaw* law) {
-    return is_open(*law) || law->at_instant || !place.notes.prose.sections.reaches(law->place, here.place);
+    return is_open(*law) || law->at_instant || law->proves_only ||
+           !place.notes.prose.sections.reaches(law->place, here.place);
   });
   return laws;
 }
@@ -375,6 +376,26 @@ bool may_be_of_another_family(const RowPlace& place, const Claim& claim) {
 
 }  // namespace
 
+namespace {
+
+/// "The hyperbolas have `dy/dx = x/y`" below `x^2 + y^2 = c^2`: who leads into a derivative by a letter with
+/// words of its own may speak of another relation.
+bool speaks_of_another_curve(const RowPlace& place, const StepReading& row, const Claim& claim) {
+  const std::string& lead = beside(place).lead;
+  if (is_announced(place, row) || !has_own_words(lead.substr(lead.rfind('\n') + 1))) return false;
+  const std::array sides{claim.equation.left, claim.equation.right};
+  return std::ranges::any_of(sides, [&](ExprId side) {
+    return std::ranges::any_of(symbols_in(place.tree, side), [&](SymbolId each) {
+      const auto& derivation = place.tree.symbols[each].derivation;
+      return derivation && std::ranges::any_of(derivation->by, [](const Variable& by) {
+               return by.by == By::letter && !by.partial && !by.held;
+             });
+    });
+  });
+}
+
+}  // namespace
+
 bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (may_be_of_another_family(place, claim)) return false;
   if (!may_hold_a_slip(place, row) || why_not_all_matrices(place.tree, place.names, claim.equation))
@@ -383,6 +404,7 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   if (row.which == 0 && may_be_an_equation_of_letters(place.tree, claim.equation) &&
       asks_for_values(beside(place).lead))
     return false;
+  if (speaks_of_another_curve(place, row, claim)) return false;
   const WrongStep wrong = as_wrong(place, row);
   const bool of_a_case = may_be_of_a_case(place, row.parsed);
   const bool restricted = judgement.verdict == Verdict::undecided || (of_a_case && row.which == 0);
@@ -394,7 +416,8 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   Names names = as_said_here(place, row);
   const Grounds above = grounds_of(place, row, claim);
   for (const PageLaw& law : *above.own) {
-    if (law.by_convention) assume(names.scope, {law.equation, Origin{law.name, {}, std::nullopt}, 0});
+    if (law.by_convention && !law.proves_only)
+      assume(names.scope, {law.equation, Origin{law.name, {}, std::nullopt}, 0});
   }
   for (const NamedAssumption& each : sizes_that_matter(place, row, claim)) assume(names.scope, each);
   auto found =

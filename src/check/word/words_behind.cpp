@@ -83,7 +83,7 @@ bool restricts_from_before(std::string_view word) {
 }
 
 bool is_named_quantity(std::string_view word) {
-  static constexpr std::array<std::string_view, 80> nouns{
+  static constexpr std::array<std::string_view, 68> nouns{
       "constants",   "numbers",      "parameters",   "coefficients", "integer",     "integers",
       "frequency",   "frequencies",  "period",       "wavelength",   "wavenumber",  "mass",
       "masses",      "energy",       "momentum",     "ratio",        "factor",      "parameter",
@@ -95,9 +95,14 @@ bool is_named_quantity(std::string_view word) {
       "flux",        "entropy",      "conductivity", "number",       "difference",  "sum",
       "product",     "mean",         "average",      "amplitude",    "lifetime",    "mobility",
       "diffusivity", "permittivity", "action",       "efficiency",   "combination", "combinations",
-      "quantity",    "abbreviation", "distance",     "radius",       "length",      "angle",
-      "height",      "area",         "volume",       "inertia",      "work",        "intensity",
-      "variable",    "displacement"};
+      "quantity",    "abbreviation"};
+  return is_one_of(word, nouns);
+}
+
+bool is_measure(std::string_view word) {
+  static constexpr std::array<std::string_view, 12> nouns{
+      "distance", "radius",  "length", "angle",     "height",   "area",
+      "volume",   "inertia", "work",   "intensity", "variable", "displacement"};
   return is_one_of(word, nouns);
 }
 

@@ -36,6 +36,8 @@ namespace rigor {
 /// What a letter that is brought in can be, for all that is said. No position, angle or state: those name one
 /// value among many.
 [[nodiscard]] bool is_named_quantity(std::string_view word);
+/// "the radius", "the inertia", which many things of one page have.
+[[nodiscard]] bool is_measure(std::string_view word);
 
 /// "or", "iff", "only": they choose, bound or doubt.
 [[nodiscard]] bool is_doubt(std::string_view word);

@@ -66,6 +66,13 @@ struct CountingLetter {
 struct TyingRows {
   Span first;
   bool several = false;
+  bool of_the_letter = false;  // `v = R\omega`; not `\ddot\theta = -\frac gl\sin\theta`
+};
+
+/// Letters of a relation that says of none of them alone what it is.
+struct TiedTogether {
+  std::set<std::string> letters;
+  Span row;
 };
 
 struct Evidence {
@@ -85,6 +92,7 @@ struct Evidence {
   std::set<std::string> functionals;                       // `E[X]`: square brackets stand directly after
   std::map<std::string, std::set<std::string>> functions;  // \omega of `\omega(k) = …`, with k
   std::map<std::string, std::set<std::string>> running;    // of these, k: the other side has it, too
+  std::map<std::string, std::set<std::string>> running_primed;  // r of `V'(r) = 2ar`, as `running` has it
   std::map<std::string, std::set<std::vector<std::string>>>
       applied;                                      // `\psi(x, t)`: letters in brackets behind it
   std::map<std::string, std::set<std::string>> by;  // x of `dy/dx`, with y: what is differentiated by
@@ -92,10 +100,13 @@ struct Evidence {
   std::set<std::string> with_primes;    // A of `A'`, which may be a derivative; as `changing` names it
   bool speaks_of_conservation = false;  // "conserved", "constant": then l of `l = mr^2\dot\theta` is held
   bool speaks_of_dependence = false;    // "depends on", "varies", "not constant": of a letter or not
+  bool speaks_of_signs = false;         // "negative", "opposite": then a root need not be the positive one
   std::set<std::string> changing;       // letters of which a rate is written, or that have an argument
+  std::map<std::string, std::set<std::string>> in_exponents;  // r of `e^{rx}`, with x
   std::map<std::string, std::map<std::string, TyingRows>>
-      tied;                              // m of `m = \mu t`, with what stands on the other sides
-  std::set<std::string> said_to_change;  // "$U$ depends on"
+      tied;                                 // m of `m = \mu t`, with what stands on the other sides
+  std::vector<TiedTogether> tied_together;  // C, d and A of `Cd = \epsilon A`
+  std::set<std::string> said_to_change;     // "$U$ depends on"
   std::set<std::string> may_change;  // these, what is tied to them or to the time, and what has an argument
   std::set<std::string> may_change_in_time;  // the same, but for x, y, z and r that nothing shows to move
   bool d_is_a_letter = false;                // `F = Ed`, "the distance $d$": then `dU` may be a product
@@ -338,6 +349,17 @@ void see_said_changes(std::string_view text, Evidence& evidence);
 /// When all is seen: what may change because something else does.
 void settle_changes(Evidence& evidence);
 
+/// `\omega`, `E_n`: without primes and powers, which a function can have as well.
+[[nodiscard]] std::string function_name(const WrittenSymbol& symbol);
+/// `(x, t)`, but no column: nobody writes arguments so.
+[[nodiscard]] bool may_hold_arguments(const SyntaxTree& syntax, SyntaxId bracket);
+/// m, c, \hbar: nobody lets them change with what is made of them, p of `p = mv`.
+[[nodiscard]] bool is_mass_or_constant(std::string_view name);
+/// `x_0`, `t'`: a value of what the function depends on.
+[[nodiscard]] bool is_marked(std::string_view letter);
+/// `\omega`, `k`: the letter that begins at `at`, which moves after it.
+[[nodiscard]] std::string take_letter(std::string_view text, std::size_t& at);
+
 /// How `Evidence::changing`, `may_change`, `tied` and `by` name a symbol: `x`; `x_#` for `x_i` and `x_1`,
 /// which change together; `\omega_p`, `V_eff` and `x_0` with their labels. None of these says anything of
 /// another.
@@ -352,6 +374,8 @@ void settle_changes(Evidence& evidence);
 /// Is a derivative by it one by a letter of its own? By x, y and z it is one by place, unless the section
 /// shows that one of the others is a function of it: `dy/dx`, `y(x)`.
 [[nodiscard]] bool is_own_variable(const Evidence& evidence, std::string_view letter);
+/// y of `dy/dx`, `y(x)`: a coordinate that the section makes a function of another one is no place.
+[[nodiscard]] bool is_function_of_a_coordinate(const Evidence& evidence, std::string_view name);
 /// What the primes on `y''` and `V'(r)` differentiate by; nothing where a prime may name another quantity.
 [[nodiscard]] std::optional<std::string> variable_of_primes(const WrittenSymbol& symbol,
                                                             const Evidence& evidence);

@@ -178,6 +178,13 @@ void see_said_changes(std::string_view text, Evidence& evidence) {
       if (!is_denied(std::string_view(small).substr(0, at))) evidence.speaks_of_conservation = true;
     });
   }
+  for (const std::string_view word : {"negative", "opposite", "opposed", "backwards", "downwards"}) {
+    for_each_place(small, word, [&](std::size_t at) {
+      const std::string_view before = std::string_view(small).substr(0, at);
+      const bool denied = before.ends_with("not ") || before.ends_with("never ") || before.ends_with("non");
+      evidence.speaks_of_signs = evidence.speaks_of_signs || !denied;
+    });
+  }
   for (const std::string_view word : words_of_dependence) {
     for_each_place(small, word, [&](std::size_t at) {
       const std::string_view before = std::string_view(text).substr(0, at);

@@ -2,9 +2,12 @@
 #include "elaborate/evidence/evidence.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/among.h"
@@ -12,10 +15,8 @@
 #include "expr/print/usual_letters.h"
 
 namespace rigor {
-namespace {
 
-/// `\omega`, `E_n`: without primes and powers, which a function can have as well.
-std::string name_of(const WrittenSymbol& symbol) {
+std::string function_name(const WrittenSymbol& symbol) {
   WrittenSymbol bare = symbol;
   bare.primes = 0;
   std::string name = letter_with_marks(bare);
@@ -23,17 +24,31 @@ std::string name_of(const WrittenSymbol& symbol) {
   return name;
 }
 
+bool may_hold_arguments(const SyntaxTree& syntax, SyntaxId bracket) {
+  const SyntaxKind kind = syntax[bracket].kind;
+  return kind == SyntaxKind::group || (kind == SyntaxKind::tuple && !written_shape(syntax, bracket).any());
+}
+
+bool is_marked(std::string_view letter) { return letter.find_first_of("_'^") != std::string_view::npos; }
+
+std::string take_letter(std::string_view text, std::size_t& at) {
+  while (at < text.size() && text[at] == ' ') ++at;
+  const std::size_t begin = at;
+  if (at < text.size() && text[at] == '\\') {
+    ++at;
+    while (at < text.size() && is_letter(text[at])) ++at;
+    return at - begin > 1 ? std::string(text.substr(begin, at - begin)) : std::string{};
+  }
+  return at < text.size() && is_letter(text[at]) ? std::string(1, text[at++]) : std::string{};
+}
+
+namespace {
+
 /// The same with its face: `E(k)` and `\mathbf E(\mathbf r)` are two functions.
 std::string applied_name_of(const WrittenSymbol& symbol) {
   WrittenSymbol bare = symbol;
   bare.dots = 0;
-  return (symbol.face == Face::plain ? "" : "\\mathbf ") + name_of(bare);
-}
-
-/// `(x, t)`, but no column: nobody writes arguments so.
-bool may_hold_arguments(const SyntaxTree& syntax, SyntaxId bracket) {
-  const SyntaxKind kind = syntax[bracket].kind;
-  return kind == SyntaxKind::group || (kind == SyntaxKind::tuple && !written_shape(syntax, bracket).any());
+  return (symbol.face == Face::plain ? "" : "\\mathbf ") + function_name(bare);
 }
 
 /// The letters of `(\mathbf r, t)` as they stand; none if anything else is in the brackets.
@@ -47,9 +62,6 @@ std::vector<std::string> letters_in_bracket(const SyntaxTree& syntax, SyntaxId b
   }
   return letters;
 }
-
-/// `x_0`, `t'`: a value of what the function depends on.
-bool is_marked(std::string_view letter) { return letter.find_first_of("_'^") != std::string_view::npos; }
 
 /// The same however its label is set: `eff` of `\text{eff}` and of `{eff}`.
 std::string plainly_set(std::string_view label) {
@@ -118,18 +130,6 @@ std::set<std::string> arguments_in(const SyntaxTree& syntax, SyntaxId bracket) {
   return found;
 }
 
-/// `\omega`, `k`: the letter that begins at `at`, which moves after it.
-std::string take_letter(std::string_view text, std::size_t& at) {
-  while (at < text.size() && text[at] == ' ') ++at;
-  const std::size_t begin = at;
-  if (at < text.size() && text[at] == '\\') {
-    ++at;
-    while (at < text.size() && is_letter(text[at])) ++at;
-    return at - begin > 1 ? std::string(text.substr(begin, at - begin)) : std::string{};
-  }
-  return at < text.size() && is_letter(text[at]) ? std::string(1, text[at++]) : std::string{};
-}
-
 /// What has components among them can stand without an index, too.
 bool is_among(const std::set<std::string>& letters, std::string_view name) {
   const std::string label = label_in(name);
@@ -183,11 +183,13 @@ void see_functions(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
   if (syntax[factors[0].id].kind != SyntaxKind::symbol) return;
   std::set<std::string> arguments = arguments_in(syntax, factors[1].id);
   if (arguments.empty()) return;
-  const std::string name = name_of(syntax.symbol(factors[0].id));
+  const std::string name = function_name(syntax.symbol(factors[0].id));
+  // Beside `f(x) = x^2`, `f'(c) = 2c` is a value.
+  auto& running = syntax.symbol(factors[0].id).primes > 0 ? evidence.running_primed : evidence.running;
   // `V(R) = 0` is a value; `V(R) = cR` says how V runs with R.
   for (const SyntaxId id : nodes_below(syntax, {sides.begin() + 1, sides.end()})) {
     if (syntax[id].kind == SyntaxKind::symbol && arguments.contains(syntax.symbol(id).letter))
-      evidence.running[name].insert(syntax.symbol(id).letter);
+      running[name].insert(syntax.symbol(id).letter);
   }
   evidence.functions[name].merge(arguments);
 }
@@ -196,7 +198,10 @@ void see_inline_functions(std::string_view text, Evidence& evidence) {
   for (std::size_t open = text.find('$'); open != std::string_view::npos;) {
     const std::size_t close = text.find('$', open + 1);
     if (close == std::string_view::npos) break;
-    see_functions_in(text.substr(open + 1, close - open - 1), evidence);
+    const std::string_view formula = text.substr(open + 1, close - open - 1);
+    see_functions_in(formula, evidence);
+    const bool below_zero = formula.ends_with("< 0") || formula.ends_with("<0");
+    evidence.speaks_of_signs = evidence.speaks_of_signs || below_zero;
     open = text.find('$', close + 1);
   }
   for (std::size_t open = text.find("\\("); open != std::string_view::npos;) {
@@ -218,14 +223,34 @@ SyntaxId without_derivatives(const SyntaxTree& syntax, SyntaxId id) {
   }
 }
 
+namespace {
+
+/// `rx`, and each of the terms of `i(kr - \omega t)`: two letters side by side.
+void see_exponent_of_growth(const SyntaxTree& syntax, SyntaxId exponent, Evidence& evidence) {
+  for (const SyntaxId id : nodes_below(syntax, {exponent})) {
+    if (syntax[id].kind != SyntaxKind::term) continue;
+    std::vector<std::string> letters;
+    for (const SyntaxChild& factor : syntax.children(id)) {
+      if (syntax[factor.id].kind == SyntaxKind::symbol)
+        letters.push_back(changing_name(syntax.symbol(factor.id)));
+    }
+    if (letters.size() != 2) continue;
+    evidence.in_exponents[letters[0]].insert(letters[1]);
+    evidence.in_exponents[letters[1]].insert(letters[0]);
+  }
+}
+
+}  // namespace
+
 void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
   for (const SyntaxId id : nodes_below(syntax, {root})) {
     const SyntaxKind kind = syntax[id].kind;
     if (kind == SyntaxKind::symbol && syntax.symbol(id).dots > 0) note_changing(syntax.symbol(id), evidence);
     if (kind == SyntaxKind::symbol && syntax.symbol(id).primes > 1)
-      evidence.primed.insert(name_of(syntax.symbol(id)));
+      evidence.primed.insert(function_name(syntax.symbol(id)));
     if (kind == SyntaxKind::symbol && syntax.symbol(id).primes > 0)
       evidence.with_primes.insert(changing_name(syntax.symbol(id)));
+    if (kind == SyntaxKind::power) see_exponent_of_growth(syntax, syntax.child(id, 1), evidence);
     if (kind == SyntaxKind::component && syntax.indices(id).size() == 1 &&
         syntax[bare(syntax, syntax.child(id, 0))].kind == SyntaxKind::derivative)
       evidence.by[syntax.indices(id)[0].text];  // V of `(\partial S/\partial T)_V` could change
@@ -251,7 +276,7 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
       std::vector<std::string> letters = letters_in_bracket(syntax, bracket);
       if (letters.empty() || is_never_applied(syntax.symbol(of))) continue;
       note_changing(syntax.symbol(of), evidence);
-      if (syntax.symbol(of).primes > 0) evidence.primed.insert(name_of(syntax.symbol(of)));
+      if (syntax.symbol(of).primes > 0) evidence.primed.insert(function_name(syntax.symbol(of)));
       evidence.applied[applied_name_of(syntax.symbol(of))].insert(std::move(letters));
     }
   }
@@ -306,8 +331,19 @@ bool is_function_of(const Evidence& evidence, std::string_view name, std::string
   });
 }
 
+namespace {
+
+constexpr std::array<std::string_view, 3> coordinates{"x", "y", "z"};
+
+}  // namespace
+
+bool is_function_of_a_coordinate(const Evidence& evidence, std::string_view name) {
+  return std::ranges::any_of(coordinates, [&](std::string_view other) {
+    return other != name && is_function_of(evidence, name, other);
+  });
+}
+
 bool is_own_variable(const Evidence& evidence, std::string_view letter) {
-  static constexpr std::string_view coordinates[] = {"x", "y", "z"};
   if (!is_one_of(letter, coordinates) || evidence.complex_numbers.contains(std::string(letter))) return true;
   return std::ranges::any_of(coordinates, [&](std::string_view other) {
     return other != letter && is_function_of(evidence, other, letter);
@@ -315,7 +351,7 @@ bool is_own_variable(const Evidence& evidence, std::string_view letter) {
 }
 
 std::optional<std::string> variable_of_primes(const WrittenSymbol& symbol, const Evidence& evidence) {
-  if (symbol.primes == 0 || !evidence.primed.contains(name_of(symbol))) return std::nullopt;
+  if (symbol.primes == 0 || !evidence.primed.contains(function_name(symbol))) return std::nullopt;
   const auto variables = variables_of(symbol, evidence);
   std::set<std::string> found;
   if (variables) found.insert(variables->begin(), variables->end());
@@ -339,191 +375,6 @@ bool may_be_changing_in_time(const Evidence& evidence, std::string_view name) {
   return evidence.speaks_of_change || is_among(evidence.may_change_in_time, name);
 }
 
-namespace {
-
-/// \omega of `\omega^2`, x of `x(t)`.
-SyntaxId letter_of_side(const SyntaxTree& syntax, SyntaxId side) {
-  if (syntax[side].kind == SyntaxKind::power) return syntax.child(side, 0);
-  if (syntax[side].kind != SyntaxKind::term || syntax.children(side).size() != 2) return side;
-  const SyntaxChild bracket = syntax.children(side)[1];
-  const bool applied = bracket.joint == Joint::juxtaposed && may_hold_arguments(syntax, bracket.id);
-  return applied ? syntax.children(side)[0].id : side;
-}
-
-/// An average does not change with what it is taken of.
-bool is_of_outcomes(const SyntaxTree& syntax, SyntaxId id) {
-  return syntax[id].kind == SyntaxKind::function && syntax.text(id) == "average";
-}
-
-/// `f(\mu + \delta)`, where `f(x) = …` stands above: a relation of such values says nothing of their letters.
-bool is_value_of_function(const SyntaxTree& syntax, SyntaxId term, const Evidence& evidence) {
-  if (syntax[term].kind != SyntaxKind::term) return false;
-  const std::span<const SyntaxChild> factors = syntax.children(term);
-  for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
-    if (syntax[factors[k].id].kind == SyntaxKind::symbol && factors[k + 1].joint == Joint::juxtaposed &&
-        may_hold_arguments(syntax, factors[k + 1].id) &&
-        evidence.running.contains(name_of(syntax.symbol(factors[k].id))))
-      return true;
-  }
-  return false;
-}
-
-Span row_of(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
-  return cover(syntax[sides.front()].span, syntax[sides.back()].span);
-}
-
-void tie(Evidence& evidence, const std::string& letter, const std::set<std::string>& others, Span row) {
-  std::map<std::string, TyingRows>& tied = evidence.tied[letter];
-  for (const std::string& other : others) {
-    const auto [known, is_new] = tied.try_emplace(other, TyingRows{row});
-    if (!is_new && known->second.first != row) known->second.several = true;
-  }
-}
-
-/// `c^2`; not `e^{-kt}`
-bool is_square(const SyntaxTree& syntax, SyntaxId side) {
-  return syntax[side].kind == SyntaxKind::power && syntax[syntax.child(side, 0)].kind == SyntaxKind::symbol &&
-         syntax[syntax.child(side, 1)].kind == SyntaxKind::number;
-}
-
-/// `Cd = \epsilon A` says of none of its letters alone what it is, so that any of them may follow the others.
-/// An identity, with the same letters on both sides, a law of rates, a sum and an integral do not. Initial
-/// values follow nothing.
-void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
-  static constexpr std::string_view of_states[] = {"N", "n", "R", "k", "k_B"};  // of `pV = NkT`: constants
-  std::vector<std::set<std::string>> letters;
-  std::set<std::string> squared;  // c of `uv = c^2`
-  for (const SyntaxId side : sides) {
-    if (is_square(syntax, side)) squared.insert(changing_name(syntax.symbol(syntax.child(side, 0))));
-    std::set<std::string>& own = letters.emplace_back();
-    for (const SyntaxId id : nodes_below(syntax, {side})) {
-      const SyntaxKind kind = syntax[id].kind;
-      if (kind == SyntaxKind::derivative || kind == SyntaxKind::line_integral ||
-          kind == SyntaxKind::between || kind == SyntaxKind::big_sum || is_of_outcomes(syntax, id) ||
-          is_value_of_function(syntax, id, evidence))
-        return;
-      if (kind != SyntaxKind::symbol) continue;
-      if (syntax.symbol(id).dots > 0 || syntax.symbol(id).primes > 0) return;
-      const std::string name = changing_name(syntax.symbol(id));
-      if (!name.ends_with("_0") && !is_one_of(name, of_states)) own.insert(name);
-    }
-  }
-  if (letters.size() != 2 || letters[0] == letters[1]) return;
-  letters[0].merge(letters[1]);
-  std::erase_if(letters[0], [&](const std::string& letter) { return squared.contains(letter); });
-  for (const std::string& letter : letters[0]) tie(evidence, letter, letters[0], row_of(syntax, sides));
-}
-
-/// The letters of a side, but for what an integral between limits, a sum or an average runs over.
-std::set<std::string> free_letters(const SyntaxTree& syntax, SyntaxId side) {
-  std::set<std::string> letters;
-  if (is_of_outcomes(syntax, side)) return letters;
-  if (syntax[side].kind == SyntaxKind::symbol) letters.insert(changing_name(syntax.symbol(side)));
-  const auto children = syntax.children(side);
-  const bool bound = syntax[side].kind == SyntaxKind::line_integral && children.size() > 2;
-  for (std::size_t k = 0; k < children.size(); ++k) {
-    if (bound && k == 1) {
-      letters.erase(changing_name(syntax.symbol(children[k].id)));
-    } else {
-      letters.merge(free_letters(syntax, children[k].id));
-    }
-  }
-  if (syntax[side].kind == SyntaxKind::big_sum && !syntax.big_sum(side).from.empty()) {
-    for (const WrittenIndex& index : syntax.big_sum(side).indices) letters.erase(index.text);
-  }
-  return letters;
-}
-
-/// `x(0)`, `\dot x(0)`: it does not change with x.
-bool is_value_at_a_number(const SyntaxTree& syntax, SyntaxId side) {
-  if (syntax[side].kind != SyntaxKind::term || syntax.children(side).size() != 2) return false;
-  const SyntaxChild bracket = syntax.children(side)[1];
-  return bracket.joint == Joint::juxtaposed && syntax[bracket.id].kind == SyntaxKind::group &&
-         std::ranges::none_of(nodes_below(syntax, {bracket.id}),
-                              [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::symbol; });
-}
-
-/// `x_n = q^n`: the power says what x is for each n, and nothing of its base.
-bool is_power_that_counts(const SyntaxTree& syntax, SyntaxId side, const std::vector<SyntaxId>& sides) {
-  if (syntax[side].kind != SyntaxKind::power) return false;
-  const std::set<std::string> counted = free_letters(syntax, syntax.child(side, 1));
-  return std::ranges::any_of(sides, [&](SyntaxId other) {
-    return other != side && syntax[other].kind == SyntaxKind::symbol &&
-           std::ranges::any_of(syntax.symbol(other).lower,
-                               [&](const WrittenIndex& index) { return counted.contains(index.text); });
-  });
-}
-
-}  // namespace
-
-void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
-  bool says_what_a_letter_is = false;
-  for (const SyntaxId side : sides) {
-    const SyntaxId letter = letter_of_side(syntax, side);
-    if (side != sides.front() && is_square(syntax, side)) continue;  // `uv = c^2`
-    if (syntax[letter].kind != SyntaxKind::symbol || is_power_that_counts(syntax, side, sides)) continue;
-    says_what_a_letter_is = true;
-    const std::string name = changing_name(syntax.symbol(letter));
-    if (name.ends_with("_0") && side != sides.front()) continue;  // `L\dot I + RI = V_0`
-    for (const SyntaxId other : sides) {
-      if (other != side && !is_value_at_a_number(syntax, other))
-        tie(evidence, name, free_letters(syntax, other), row_of(syntax, sides));
-    }
-  }
-  if (!says_what_a_letter_is) see_mutual_ties(syntax, sides, evidence);
-}
-
-namespace {
-
-/// With all that is tied to one of them.
-std::set<std::string> with_what_is_tied(std::set<std::string> changing, const Evidence& evidence) {
-  for (bool grew = true; grew;) {
-    grew = false;
-    for (const auto& [letter, others] : evidence.tied) {
-      const bool changes =
-          std::ranges::any_of(others, [&](const auto& other) { return changing.contains(other.first); });
-      grew = (changes && changing.insert(letter).second) || grew;
-    }
-  }
-  return changing;
-}
-
-/// All that the section differentiates by, or writes functions of.
-std::set<std::string> all_variables(const Evidence& evidence) {
-  std::set<std::string> all;
-  for (const auto& [variable, functions] : evidence.by) all.insert(variable);
-  for (const auto& [function, variables] : evidence.running) all.insert(variables.begin(), variables.end());
-  return all;
-}
-
-/// `y''` beside `E(x) = \tfrac12y'^2 + \dots`: there is only one variable that the primes can mean.
-void see_what_primes_mean(Evidence& evidence) {
-  const std::set<std::string> variables = all_variables(evidence);
-  if (variables.size() != 1 || is_marked(*variables.begin())) return;
-  for (const std::string& name : evidence.primed) {
-    const bool applied = evidence.applied.contains(name);
-    if (!applied && name != *variables.begin()) evidence.by[*variables.begin()].insert(changing_name(name));
-  }
-}
-
-}  // namespace
-
-void settle_changes(Evidence& evidence) {
-  see_what_primes_mean(evidence);
-  static constexpr std::string_view places[] = {"x", "y", "z", "r"};
-  std::set<std::string> changing = evidence.changing;
-  changing.insert(evidence.said_to_change.begin(), evidence.said_to_change.end());
-  changing.insert("t");
-  for (const auto& [variable, functions] : evidence.by) changing.insert(variable);
-  for (const auto& [name, arguments] : evidence.functions) {
-    std::size_t at = 0;
-    changing.insert(take_letter(name, at));
-  }
-  evidence.may_change_in_time = with_what_is_tied(changing, evidence);
-  changing.insert(std::begin(places), std::end(places));
-  evidence.may_change = with_what_is_tied(std::move(changing), evidence);
-}
-
 std::optional<std::vector<std::string>> variables_of(const WrittenSymbol& symbol, const Evidence& evidence) {
   const auto applied = evidence.applied.find(applied_name_of(symbol));
   if (applied == evidence.applied.end()) return std::nullopt;
@@ -531,7 +382,7 @@ std::optional<std::vector<std::string>> variables_of(const WrittenSymbol& symbol
   std::ranges::copy_if(applied->second, std::back_inserter(plain), [](const std::vector<std::string>& each) {
     return std::ranges::none_of(each, is_marked);
   });
-  const auto running = evidence.running.find(name_of(symbol));
+  const auto running = evidence.running.find(function_name(symbol));
   const auto runs = [&](const std::string& each) {
     return running != evidence.running.end() && running->second.contains(each);
   };
@@ -584,7 +435,7 @@ bool is_applied_inside(const SyntaxTree& syntax, SyntaxId bracket, const std::st
 const std::set<std::string>* arguments_of(const SyntaxTree& syntax, SyntaxId symbol, SyntaxId bracket,
                                           const Evidence& evidence) {
   const WrittenSymbol& written = syntax.symbol(symbol);
-  const auto found = evidence.functions.find(name_of(written));
+  const auto found = evidence.functions.find(function_name(written));
   if (found == evidence.functions.end()) return nullptr;
   bool itself = false;
   bool argument = false;

@@ -95,11 +95,42 @@ bool divides_by_zero(const ExprTree& tree, ExprId body) {
   return std::ranges::any_of(children, [&](ExprId child) { return divides_by_zero(tree, child); });
 }
 
+/// With an axis in the place of these indices. Recursion: as deep as the tree.
+ExprId along_axis(ExprTree& tree, ExprId id, const std::vector<IndexId>& indices, std::uint8_t axis) {
+  std::vector<ExprId> children(tree.children(id).begin(), tree.children(id).end());
+  std::vector<Slot> slots(tree.slots(id).begin(), tree.slots(id).end());
+  bool differs = false;
+  for (ExprId& child : children) {
+    const ExprId own = std::exchange(child, along_axis(tree, child, indices, axis));
+    differs = differs || own != child;
+  }
+  for (Slot& slot : slots) {
+    if (slot.axis != 0 || !is_one_of(slot.variable, indices)) continue;
+    slot = {axis};
+    differs = true;
+  }
+  const ExprNode node = tree[id];
+  return differs ? tree.add(node, children, slots) : id;
+}
+
+/// `f'` of `f(x)`, where x, y and z are places: the derivative along the axis of the only variable.
+FoundDefinition along_its_variable(ExprTree& tree, const FunctionValue& value, FoundDefinition of) {
+  const auto& derivation = tree.symbols[value.of].derivation;
+  const bool by_place = derivation && derivation->by.count(By::space) == derivation->by.size() &&
+                        tree.symbols[derivation->base].rank == 0;
+  if (!by_place || value.variables.size() != 1 || !is_one_of(value.variables[0], {"x", "y", "z"})) return of;
+  const auto axis = static_cast<std::uint8_t>(value.variables[0][0] - 'x' + 1);
+  of.definition.body = along_axis(tree, of.definition.body, of.definition.indices, axis);
+  of.definition.indices.clear();
+  return of;
+}
+
 }  // namespace
 
 std::optional<FoundDefinition> value_of_function(ExprTree& tree, const Names& names, SymbolId symbol,
-                                                 const FunctionValue& value, const FoundDefinition& of,
+                                                 const FunctionValue& value, const FoundDefinition& written,
                                                  const KnownValues& known) {
+  const FoundDefinition of = along_its_variable(tree, value, written);
   if (!is_whole(of) || value.variables.size() != value.at.size()) return std::nullopt;
   const auto is_elsewhere = [&](ExprId at) { return tree[at].op != Op::symbol && tree[at].op != Op::number; };
   if (of.origin->of_a_region && std::ranges::any_of(value.at, is_elsewhere)) return std::nullopt;  // `E(R/2)`
@@ -115,12 +146,26 @@ std::optional<FoundDefinition> value_of_function(ExprTree& tree, const Names& na
       return known.is_held(of, each, in_time ? Variable(By::time) : Variable(By::letter, entry.first));
     });
   };
+  // s of `f(s)`, where `f(x) = a + b(x - s)`: a place of f, which does not follow the variable.
+  const auto is_where = [&](SymbolId each) {
+    const NameKey* key = key_of(names.symbols, each);
+    if (key == nullptr) return false;
+    const auto tied = names.symbols.evidence->tied.find(changing_name(key->base));  // `s = \alpha x`
+    return (tied == names.symbols.evidence->tied.end() || tied->second.empty()) &&
+           !has_rate(*names.symbols.sightings, *key) &&
+           std::ranges::any_of(
+               value.at,
+               [&](ExprId where) { return tree[where].op == Op::symbol && tree[where].symbol == each; }) &&
+           std::ranges::none_of(value.variables, [&](const std::string& variable) {
+             return is_function_of(*names.symbols.evidence, key->base, variable);
+           });
+  };
   const auto body = known.open(of.definition.body, is_held);
   if (!body) return std::nullopt;
   for (const SymbolId each : symbols_in(tree, *body)) {
     const bool runs =
         known.may_run(each, in_time) && !is_declared_constant(names.scope, each) && !is_held(each);
-    if (!at.contains(each) && (runs || tree.symbols[each].integral)) return std::nullopt;
+    if (!at.contains(each) && ((runs && !is_where(each)) || tree.symbols[each].integral)) return std::nullopt;
   }
   FoundDefinition result = of;
   result.definition.symbol = symbol;

@@ -219,7 +219,9 @@ bool is_free_variable(const Names& names, const ExprTree& tree, SymbolId symbol,
   if (change(names, tree, symbol, by).dependence.kind != Dependence::Kind::variable) return false;
   const NameKey* key = key_of(names.symbols, symbol);
   const Sightings& sightings = *names.symbols.sightings;
-  return by == By::time || (sightings.places && key != nullptr && !has_rate(sightings, *key));
+  if (by == By::time) return true;
+  return sightings.places && key != nullptr && !has_rate(sightings, *key) &&
+         !is_function_of_a_coordinate(*names.symbols.evidence, key->base);
 }
 
 bool is_field(const Names& names, const ExprTree& tree, SymbolId symbol) {

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
+#include <utility>
 
+#include "base/among.h"
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/name/family.h"
 #include "elaborate/notation/notations.h"
@@ -440,6 +443,22 @@ std::vector<std::string> running_variables(const Reading& reading, const Written
 
 }  // namespace
 
+namespace {
+
+std::uint8_t axis_of(const std::string& coordinate) {
+  return is_one_of(coordinate, {"x", "y", "z"}) ? static_cast<std::uint8_t>(coordinate[0] - 'x' + 1) : 0;
+}
+
+/// `f'(c)` of `f(x)`: a derivative by the place is one along the axis of that variable.
+bool is_along(const ExprTree& tree, ExprId of, const std::vector<std::string>& variables) {
+  const std::span<const Slot> slots = tree.slots(of);
+  return slots.empty() || (variables.size() == 1 && std::ranges::all_of(slots, [&](const Slot& slot) {
+                             return slot.axis != 0 && slot.axis == axis_of(variables.front());
+                           }));
+}
+
+}  // namespace
+
 MaybeTyped value_of_function(Reading& reading, SyntaxId function, SyntaxId bracket, const Around& around) {
   const SyntaxTree& syntax = reading.syntax;
   const Span span = cover(syntax[function].span, syntax[bracket].span);
@@ -460,11 +479,13 @@ MaybeTyped value_of_function(Reading& reading, SyntaxId function, SyntaxId brack
   const std::string name = fmt::format("{}({})", name_of_function(reading, *of), arguments);
   reading.found.values = true;
   const SymbolId symbol = symbol_named(reading, {name, of->rank, false}, name, span);
-  if (reading.tree[of->id].op == Op::symbol && !reading.names.symbols.function_values.contains(symbol))
+  if (reading.tree[of->id].op == Op::symbol && !reading.names.symbols.function_values.contains(symbol)) {
+    auto variables =
+        running_variables(reading, syntax.symbol(function), reading.tree[of->id].symbol, at.size());
+    if (!is_along(reading.tree, of->id, variables)) variables.clear();
     reading.names.symbols.function_values.put(
-        {symbol,
-         {reading.tree[of->id].symbol,
-          running_variables(reading, syntax.symbol(function), reading.tree[of->id].symbol, at.size()), at}});
+        {symbol, {reading.tree[of->id].symbol, std::move(variables), at}});
+  }
   Typed value{.rank = of->rank};
   value.id = reading.tree.add({.op = Op::symbol,
                                .rank = static_cast<std::uint8_t>(of->rank),

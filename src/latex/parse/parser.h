@@ -111,6 +111,8 @@ class Parser {
   };
   SyntaxId physics_derivative(Cursor& cursor, bool partial);
   SyntaxId partial(Cursor& cursor);
+  static bool shows_arguments(const Cursor& cursor, const std::vector<WrittenVariable>& by);
+  bool take_times(TokenView order, std::vector<WrittenVariable>& by);
   std::optional<Obstacle> read_partial_index(TokenView content, std::vector<WrittenVariable>& by);
   std::optional<EvaluationBar> evaluation_bar(Cursor& cursor);
   SyntaxId in_frame(SyntaxId node, bool partial, EvaluationBar bar);

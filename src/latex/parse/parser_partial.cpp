@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/among.h"
@@ -86,22 +87,70 @@ SyntaxId Parser::physics_derivative(Cursor& cursor, bool partial) {
   return tree_.add_derivative(span, {partial, std::move(by)}, inner(arguments[0].content, span));
 }
 
+/// How often a derivative is taken: `\partial_x^2`. `\partial_i^2` can be a sum over i.
+bool Parser::take_times(TokenView order, std::vector<WrittenVariable>& by) {
+  const TokenView digit = trim(order);
+  if (by.size() != 1 || digit.size() != 1 || digit[0].kind != TokenKind::digit || digit[0].text[0] < '1')
+    return false;
+  const bool summed = std::ranges::any_of(
+      by[0].symbol.lower, [](const WrittenIndex& index) { return index.form != IndexForm::digit; });
+  if (summed) return false;
+  by[0].times = static_cast<std::uint8_t>(digit[0].text[0] - '0');
+  read(order);
+  return true;
+}
+
+/// `(x, t)` behind `\partial_t u`, `(x)` behind `\partial_x f`.
+bool Parser::shows_arguments(const Cursor& cursor, const std::vector<WrittenVariable>& by) {
+  if (!is_sign_at(cursor.tokens, cursor.at, "(")) return false;
+  bool comma = false;
+  std::vector<std::string_view> letters;
+  for (std::size_t at = cursor.at + 1; at < cursor.tokens.size(); ++at) {
+    const Token& token = cursor.tokens[at];
+    if (is_sign(token, ")")) {
+      const bool same = letters.size() == 1 && std::ranges::any_of(by, [&](const WrittenVariable& each) {
+                          return each.symbol.letter == letters[0];
+                        });
+      return same || (comma && letters.size() > 1);
+    }
+    comma = comma || is_sign(token, ",");
+    if (token.kind == TokenKind::letter) letters.push_back(token.text);
+    if (token.kind != TokenKind::letter && token.kind != TokenKind::space && !is_sign(token, ",") &&
+        !is_control_of(token, {",", " ", ";", "!"}))
+      return false;
+  }
+  return false;
+}
+
 /// `\partial_i f`: acts on the next factor; where another one follows that it could act on too, it is not
 /// read.
 SyntaxId Parser::partial(Cursor& cursor) {
   if (const auto slash = slash_derivative(cursor)) return *slash;
   const Token token = cursor.token();
-  const std::size_t script = skip_blank(cursor.tokens, cursor.at + 1);
+  const TokenView tokens = cursor.tokens;
+  std::size_t script = skip_blank(tokens, cursor.at + 1);
   read_sign(cursor);
   ++cursor.at;
-  if (!is_kind_at(cursor.tokens, script, TokenKind::subscript))
+  std::optional<Argument> order;  // `\partial^2_x`, `\partial_x^2`
+  const auto take_order = [&](std::size_t at) {
+    if (order || !is_kind_at(tokens, at, TokenKind::superscript)) return at;
+    order = script_argument_at(tokens, at + 1);
+    read(tokens.subspan(at, 1));
+    return skip_blank(tokens, order->next);
+  };
+  script = take_order(script);
+  if (!is_kind_at(tokens, script, TokenKind::subscript))
     return opaque(token.span, "`\\partial` without an index or a fraction is not read");
-  const Argument argument = script_argument_at(cursor.tokens, script + 1);
+  const Argument argument = script_argument_at(tokens, script + 1);
   cursor.at = argument.next;
-  read(cursor.tokens.subspan(script, 1));
-  const Span span = cover(token.span, span_of(cursor.tokens.subspan(script, argument.next - script)));
+  read(tokens.subspan(script, 1));
   std::vector<WrittenVariable> by;
-  if (auto obstacle = read_partial_index(argument.content, by)) return tree_.add_opaque(span, *obstacle);
+  auto obstacle = read_partial_index(argument.content, by);
+  const std::size_t above = skip_blank(tokens, cursor.at);
+  if (const std::size_t behind = take_order(above); behind != above) cursor.at = order->next;
+  const Span span = cover(token.span, span_of(tokens.subspan(script, cursor.at - script)));
+  if (obstacle) return tree_.add_opaque(span, *obstacle);
+  if (order && !take_times(order->content, by)) return opaque(span, "a power of `\\partial` is not read");
   cursor.skip_spacing();
   if (cursor.done() || starts_sign(cursor) || factor_joint(cursor.token()) != Joint::none)
     return opaque(span, "this derivative has nothing after it to act on");
@@ -113,6 +162,12 @@ SyntaxId Parser::partial(Cursor& cursor) {
   bool more = true;
   while (more && (factors.empty() || is_constant(factors.back().id))) {
     factors.push_back({factor(cursor), factors.empty() ? Joint::none : Joint::juxtaposed});
+    cursor.skip_spacing();
+    more = !cursor.done() && !starts_sign(cursor) && factor_joint(cursor.token()) == Joint::none;
+  }
+  if (more && factors.size() == 1 && tree_[factors[0].id].kind == SyntaxKind::symbol &&
+      shows_arguments(cursor, by)) {
+    factors.push_back({factor(cursor), Joint::juxtaposed});
     cursor.skip_spacing();
     more = !cursor.done() && !starts_sign(cursor) && factor_joint(cursor.token()) == Joint::none;
   }

@@ -177,6 +177,20 @@ TEST_CASE("a derivative with an index acts on the next factor") {
   CHECK(parsed("∂_i f") == "(∂/∂x[i] f)");
 }
 
+TEST_CASE("`\\partial` is taken as often as a number on its subscript says") {
+  CHECK(parsed("\\partial_x^2 f") == "(∂/∂x^2 f)");
+  CHECK(parsed("\\partial^2_x f") == "(∂/∂x^2 f)");
+  CHECK(parsed("\\partial_t^{2}f + a") == "(sum +(∂/∂t^2 f) +a)");
+  CHECK(parsed("\\partial_x^n f") == "(term <unsupported> f)");
+  CHECK(parsed("\\partial_{xy}^2 f") == "(term <unsupported> f)");
+}
+
+TEST_CASE("`\\partial` acts on a function with its arguments") {
+  CHECK(parsed("\\partial_tu(x, t)") == "(∂/∂t (term u (tuple x t)))");
+  CHECK(parsed("\\partial_xf(x)") == "(∂/∂x (term f (group x)))");
+  CHECK(parsed("\\partial_xf(y)") == "(term <ambiguous-reading> (group y))");
+}
+
 TEST_CASE("what `\\partial` cannot be read for is said") {
   CHECK(parsed("\\partial_i^2 f") == "(term <unsupported> f)");
   CHECK(parsed("\\partial V") == "(term <unsupported> V)");
