@@ -32,7 +32,7 @@ bool is_holding(std::string_view word) {
 }
 
 bool links_to_still(std::string_view word) {
-  return is_one_of(word, {"is", "are", "held", "kept", "being", "stays", "remains", "at", "a"});
+  return is_one_of(word, {"is", "are", "held", "kept", "being", "stays", "remains", "at"});
 }
 
 /// "is not constant", "instead of an isothermal one", "suppose that $T$ is constant".

@@ -17,7 +17,7 @@ std::string held(std::string_view text) {
 
 TEST_CASE("words before a row hold a letter or what a noun calls", "[held]") {
   CHECK(held("At constant $ we find") == "0 ");
-  CHECK(held("From $ we get for fixed $") == "1 ");
+  CHECK(held("With $ we get for fixed $") == "1 ");
   CHECK(held("At constant temperature the gas does the work") == "temperature ");
   CHECK(held("Keeping $ fixed,") == "0 ");
   CHECK(held("with the pressure held constant") == "pressure ");
