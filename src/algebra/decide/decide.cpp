@@ -102,6 +102,7 @@ class Decider {
   template <class Search>
   [[nodiscard]] std::optional<Refuter::Counterexample> look(const Search& search);
   [[nodiscard]] bool fails_roughly(std::span<const std::size_t> assumptions);
+  [[nodiscard]] bool has_values_roughly(std::span<const std::size_t> assumptions);
   [[nodiscard]] bool needs_definitions();
   [[nodiscard]] std::vector<std::vector<std::size_t>> choices_of_assumptions();
   [[nodiscard]] std::optional<Found> try_all_proofs(Effort effort);
@@ -181,6 +182,12 @@ bool Decider::needs_definitions() {
 bool Decider::fails_roughly(std::span<const std::size_t> assumptions) {
   if (!rough_) rough_.emplace(unfolded_, refuter_.assumptions(), limits_.budget);
   return rough_->fails_under(assumptions);
+}
+
+/// `e^{-\beta E_s}`: exact samples of exponentials and logarithms are few.
+bool Decider::has_values_roughly(std::span<const std::size_t> assumptions) {
+  if (!rough_) rough_.emplace(unfolded_, refuter_.assumptions(), limits_.budget);
+  return rough_->has_values_under(assumptions);
 }
 
 /// Which assumptions are tried together, the fewest first.
@@ -357,7 +364,8 @@ Decision Decider::decide() {
       has_value = refuter_.finds_a_point();
       return std::optional<Refuter::Counterexample>();
     }));
-    if (!has_value) return undecided("no sample was found at which both sides have a value");
+    if (!has_value && !has_values_roughly(refuter_.assumptions()))
+      return undecided("no sample was found at which both sides have a value");
   }
   if (found) {
     if (limits_.fewest_assumptions && !by_cases) drop_needless_assumptions(*found);

@@ -132,6 +132,8 @@ class Evaluator {
   [[nodiscard]] Number unfolded_component(const Definition& definition, std::uint32_t particle,
                                           std::size_t component);
   template <class Body>
+  auto outside_sums(const Body& body);
+  template <class Body>
   auto inside(const Definition& definition, std::uint32_t particle, std::size_t component, const Body& body);
 
   const Scope* scope_;

@@ -15,6 +15,8 @@ auto Evaluator<Domain>::symbol_component(const ExprNode& symbol, std::size_t com
     return unfolded_component(*definition, particle, component);
   }
   if (scope_->is_circle_number(symbol.symbol)) return domain_->circle_number();
+  if (particle == 0 && tree_->symbols[symbol.symbol].per_particle)
+    throw Undecidable("a particle's quantity stands outside of its sum");  // a neighbour of a row may be so
   return domain_->value(symbol.symbol, particle, component);
 }
 
@@ -62,6 +64,18 @@ auto Evaluator<Domain>::unfolded_component(const Definition& definition, std::ui
   return value;
 }
 
+/// Z of `Z = \sum_s e^{-\beta E_s}` is the same number inside `\sum_s e^{-\beta E_s}/Z`: what speaks of no
+/// particle is evaluated outside of all sums, where the domain tells the difference.
+template <class Domain>
+template <class Body>
+auto Evaluator<Domain>::outside_sums(const Body& body) {
+  if constexpr (requires { domain_->outside_sums(body); }) {
+    return domain_->outside_sums(body);
+  } else {
+    return body();
+  }
+}
+
 /// Runs `body` with the definition's variables bound, and restores what they were.
 template <class Domain>
 template <class Body>
@@ -76,7 +90,7 @@ auto Evaluator<Domain>::inside(const Definition& definition, std::uint32_t parti
     component /= dimension;
   }
   if (definition.particle != no_particle) bind(definition.particle, particle);
-  auto value = body();
+  auto value = definition.particle == no_particle ? outside_sums(body) : body();
   for (std::size_t i = 0; i < before.size(); ++i) bind(definition.indices[i], before[i]);
   if (definition.particle != no_particle) bind(definition.particle, particle_before);
   return value;

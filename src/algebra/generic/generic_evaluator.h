@@ -65,6 +65,14 @@ class GenericDomain {
     moments_.close();
     return total;
   }
+  /// What speaks of no particle is worth the same inside a sum: it is evaluated outside of all of them.
+  template <class Body>
+  [[nodiscard]] auto outside_sums(const Body& body) {
+    const std::uint32_t depth = moments_.leave_sums();
+    auto value = body();
+    moments_.return_to(depth);
+    return value;
+  }
   void settle(Fraction& value) {
     const Sign sign = sign_as_written(value);
     arithmetic_.expand(value);

@@ -32,6 +32,9 @@ class Moments {
   /// Opens a sum over particles: its frame, until `close`.
   [[nodiscard]] Frame open();
   void close() { --depth_; }
+  /// For a while no sum is open, until `return_to`.
+  [[nodiscard]] std::uint32_t leave_sums() { return std::exchange(depth_, 0); }
+  void return_to(std::uint32_t depth) { depth_ = depth; }
   /// The sum of a body over all particles of the innermost open sum.
   [[nodiscard]] Fraction sum(Fraction body);
 

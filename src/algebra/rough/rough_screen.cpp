@@ -83,16 +83,19 @@ class RoughScreen::Points {
     claim_ = written(question.claim);
   }
 
-  [[nodiscard]] bool fails_under(std::span<const std::size_t> assumptions) {
-    equations_.clear();
-    orders_.clear();
-    for (const std::size_t position : assumptions) {
-      const Written& each = written_.at(position);
-      (each.relation == Relation::equal ? equations_ : orders_).push_back(&each);
+  [[nodiscard]] bool has_values_under(std::span<const std::size_t> assumptions) {
+    begin(assumptions);
+    for (int draw = 0; draw < most_draws; ++draw) {
+      Eigen::VectorXd point = drawn(draw);
+      if (!move_onto_equations(point) || !keeps_orders(point)) continue;
+      program_.look_at(point);
+      if (run(claim_)) return true;
     }
-    equations_.push_back(&lengths_);
-    random_ = SplitMix(seed);
-    work_ = 0;
+    return false;
+  }
+
+  [[nodiscard]] bool fails_under(std::span<const std::size_t> assumptions) {
+    begin(assumptions);
     int points = 0;
     int lost = 0;
     for (int draw = 0; draw < most_draws && lost < most_lost && points < wanted_points(); ++draw) {
@@ -119,6 +122,18 @@ class RoughScreen::Points {
   }
 
  private:
+  void begin(std::span<const std::size_t> assumptions) {
+    equations_.clear();
+    orders_.clear();
+    for (const std::size_t position : assumptions) {
+      const Written& each = written_.at(position);
+      (each.relation == Relation::equal ? equations_ : orders_).push_back(&each);
+    }
+    equations_.push_back(&lengths_);
+    random_ = SplitMix(seed);
+    work_ = 0;
+  }
+
   // --- writing the program
 
   [[nodiscard]] Written written(const Equation& equation) {
@@ -299,25 +314,45 @@ bool RoughScreen::fails_under(std::span<const std::size_t> assumptions) {
   }
 }
 
+bool RoughScreen::has_values_under(std::span<const std::size_t> assumptions) {
+  try {
+    return points_ != nullptr && points_->has_values_under(assumptions);
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
 namespace {
 
-[[nodiscard]] bool fails_at_real_points(const Question& question, Budget* budget) {
+/// What is asked of the points under all assumptions that matter.
+using AskedOfPoints = bool (RoughScreen::*)(std::span<const std::size_t>);
+
+[[nodiscard]] bool at_real_points(const Question& question, Budget* budget, AskedOfPoints asked) {
   const Scope scope(question, Scope::Definitions::unfolded);
   const std::vector<std::size_t> assumptions = relevant_assumptions(scope);
-  return RoughScreen(scope, assumptions, budget).fails_under(assumptions);
+  RoughScreen screen(scope, assumptions, budget);
+  return (screen.*asked)(assumptions);
+}
+
+[[nodiscard]] bool at_points(const Question& question, Budget* budget, AskedOfPoints asked) {
+  if (question.claim.relation == Relation::unequal || is_about_operators(question)) return false;
+  try {
+    if (is_about_complex(question))
+      return at_real_points(in_real_parts(closed(question).question).question, budget, asked);
+    return at_real_points(question, budget, asked);
+  } catch (const Undecidable&) {
+    return false;
+  }
 }
 
 }  // namespace
 
 bool fails_at_rough_points(const Question& question, Budget* budget) {
-  if (question.claim.relation == Relation::unequal || is_about_operators(question)) return false;
-  try {
-    if (is_about_complex(question))
-      return fails_at_real_points(in_real_parts(closed(question).question).question, budget);
-    return fails_at_real_points(question, budget);
-  } catch (const Undecidable&) {
-    return false;
-  }
+  return at_points(question, budget, &RoughScreen::fails_under);
+}
+
+bool is_met_at_rough_points(const Question& question, Budget* budget) {
+  return at_points(question, budget, &RoughScreen::has_values_under);
 }
 
 }  // namespace rigor

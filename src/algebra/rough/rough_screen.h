@@ -21,6 +21,10 @@ namespace rigor {
 /// 128 numbers, and where no point is found. The budget may be none.
 [[nodiscard]] bool fails_at_rough_points(const Question& question, Budget* budget);
 
+/// Is there such a point, at which the claim has a value as well? Its assumptions contradict each other then
+/// no more than rounding can hide.
+[[nodiscard]] bool is_met_at_rough_points(const Question& question, Budget* budget);
+
 /// The same for a question about real numbers and several choices of its assumptions: its program is written
 /// once.
 class RoughScreen {
@@ -32,6 +36,8 @@ class RoughScreen {
   RoughScreen& operator=(const RoughScreen&) = delete;
 
   [[nodiscard]] bool fails_under(std::span<const std::size_t> assumptions);
+  /// Is there such a point at which all of the claim has a value?
+  [[nodiscard]] bool has_values_under(std::span<const std::size_t> assumptions);
 
  private:
   class Points;

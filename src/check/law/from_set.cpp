@@ -22,6 +22,8 @@
 #include "check/question/question.h"
 #include "check/question/question_names.h"
 #include "check/verdict/law_diagnostic.h"
+#include "elaborate/name/function_value.h"
+#include "expr/calculus/isolated_letter.h"
 #include "expr/print/print_latex.h"
 
 namespace rigor {
@@ -404,10 +406,12 @@ Names with_constants_of_solution(const RowUnderLaws& row, Variable by) {
 
 namespace {
 
-/// With its letters and derivatives as they stand.
-std::optional<Judgement> prove_as_it_stands(const RowUnderLaws& row, const Laws& set) {
+/// The laws taken for granted, in one way or another.
+using Granting = std::function<Names(const Laws&)>;
+
+std::optional<Judgement> prove_by(const RowUnderLaws& row, const Laws& set, const Granting& granted) {
   if (row.cache != nullptr && row.cache->budget().exhausted()) return std::nullopt;
-  const Names assumed = with_laws(row.tree, row.names, set);
+  const Names assumed = granted(set);
   const std::vector<SymbolId> constants = constants_under(row, assumed, set);
   if (set.empty() && constants.empty()) return std::nullopt;
   const std::vector<ExprId> divisors = not_zero(row, set);
@@ -422,7 +426,7 @@ std::optional<Judgement> prove_as_it_stands(const RowUnderLaws& row, const Laws&
   std::vector<ExprId> divided;
   std::ranges::copy_if(divisors, std::back_inserter(divided),
                        [&](ExprId divisor) { return is_named(says_not_zero(row.tree, divisor)); });
-  const Names from_used = with_not_zero(row, with_laws(row.tree, row.names, used), divided);
+  const Names from_used = with_not_zero(row, granted(used), divided);
   const std::vector<SymbolId> needed = constants_under(row, from_used, used);
   const Names from = with_constants(from_used, needed);
   Judgement judgement = judge(row.tree, from, row.claim, limits_of_sets, row.cache);
@@ -432,6 +436,93 @@ std::optional<Judgement> prove_as_it_stands(const RowUnderLaws& row, const Laws&
     return std::nullopt;
   for (const SymbolId constant : needed) judgement.uses.push_back(convention_of_constant(row.tree, constant));
   return judgement;
+}
+
+/// With its letters and derivatives as they stand.
+std::optional<Judgement> prove_as_it_stands(const RowUnderLaws& row, const Laws& set) {
+  return prove_by(row, set, [&](const Laws& laws) { return with_laws(row.tree, row.names, laws); });
+}
+
+/// Letters where no assumption reaches them: in an integrand, a logarithm, an exponent or an angle.
+struct HiddenLetters {
+  std::set<SymbolId> all;
+  std::set<SymbolId> in_logarithms;  // whose argument is not 0
+};
+
+HiddenLetters hidden_letters(const RowUnderLaws& row) {
+  const ExprTree& tree = row.tree;
+  HiddenLetters hidden;
+  const Equation& own = row.claim.equation;
+  for (const ExprId id : nodes_reached(tree, row.names.scope, {own.left, own.right})) {
+    const ExprNode& node = tree[id];
+    if (node.op == Op::function || node.op == Op::real_power) {
+      const std::vector<SymbolId> inside = symbols_in(tree, id);
+      hidden.all.insert(inside.begin(), inside.end());
+      if (node.op == Op::function && node.function == Function::log)
+        hidden.in_logarithms.insert(inside.begin(), inside.end());
+    }
+    if (node.op != Op::symbol) continue;
+    const auto& integral = tree.symbols[node.symbol].integral;
+    if (!integral || integral->average || integral->sum) continue;
+    for (const SymbolId each : letters_in(tree, integral->integrand)) {
+      if (each != integral->variable) hidden.all.insert(each);
+    }
+  }
+  return hidden;
+}
+
+/// `pV = nRT` says what p is below an integral. Nothing where none of these letters can be told so.
+std::optional<Definition> solved_for_one_of(const RowUnderLaws& row, const Names& names, const PageLaw& law,
+                                            const HiddenLetters& hidden) {
+  const Equation& own = law.equation;
+  const bool plain = own.relation == Relation::equal && own.indices.empty() && own.particles.empty();
+  if (!plain || law.at_instant || row.tree.is_zero_literal(own.left) || row.tree.is_zero_literal(own.right))
+    return std::nullopt;
+  const std::set<SymbolId> may_vanish = base_letters(row.tree, names.scope, row.claim.equation);
+  for (const SymbolId letter : hidden.all) {
+    const Symbol& symbol = row.tree.symbols[letter];
+    const bool free = symbol.rank == 0 && !symbol.per_particle && !symbol.is_fixed() && !symbol.derivation &&
+                      !symbol.integral && definition_of(names.scope, letter) == nullptr;
+    const auto found = free ? isolated_letter(row.tree, own.left, own.right, letter) : std::nullopt;
+    if (!found || is_one_of(letter, symbols_reached(row.tree, names.scope, {found->value}))) continue;
+    const bool divides = std::ranges::none_of(found->divided_by, [&](ExprId divisor) {
+      return std::ranges::any_of(symbols_in(row.tree, divisor), [&](SymbolId each) {
+        return may_vanish.contains(each) && !hidden.in_logarithms.contains(each) &&
+               !row.tree.symbols[each].is_fixed();
+      });
+    });
+    if (divides) return Definition{letter, {}, no_particle, found->value};
+  }
+  return std::nullopt;
+}
+
+/// The laws taken for granted, solved for letters that are hidden in functions and integrals; nothing where
+/// none can be.
+std::optional<Names> with_letters_solved(const RowUnderLaws& row, const Laws& laws,
+                                         const HiddenLetters& hidden) {
+  Names names = row.names;
+  bool any = false;
+  for (const PageLaw* law : laws) {
+    Origin origin{law->name, {}, std::nullopt};
+    const bool says_a_letter = row.tree[law->equation.left].op == Op::symbol;
+    const auto solved = says_a_letter ? std::nullopt : solved_for_one_of(row, names, *law, hidden);
+    any = any || solved.has_value();
+    if (solved) {
+      define(names.scope, {*solved, std::move(origin)});
+    } else {
+      take_for_granted(row.tree, names, law->equation, std::move(origin), law->at_instant);
+    }
+  }
+  return any ? std::optional(std::move(names)) : std::nullopt;
+}
+
+std::optional<Judgement> prove_with_letters_solved(const RowUnderLaws& row, const Laws& set) {
+  const HiddenLetters hidden = set.empty() ? HiddenLetters{} : hidden_letters(row);
+  if (hidden.all.empty() || !with_letters_solved(row, set, hidden)) return std::nullopt;
+  return prove_by(row, set, [&](const Laws& laws) {
+    auto solved = with_letters_solved(row, laws, hidden);
+    return solved ? *std::move(solved) : with_laws(row.tree, row.names, laws);
+  });
 }
 
 }  // namespace
@@ -453,6 +544,7 @@ bool differentiates_a_constant(const ExprTree& tree, const Equation& row,
 
 std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set) {
   auto found = prove_as_it_stands(row, set);
+  if (!found) found = prove_with_letters_solved(row, set);
   return found ? found : prove_of_states(row, set);
 }
 
@@ -463,7 +555,8 @@ bool fails_under(const RowUnderLaws& row, const Laws& set) {
       std::ranges::any_of(set, [&](const PageLaw* law) { return speaks_of_states(row.tree, law->equation); });
   if (of_states) return false;
   if (std::ranges::any_of(set, [](const PageLaw* law) { return law->at_instant; })) return false;
-  const Names assumed = with_laws(row.tree, row.names, set);
+  const auto solved = with_letters_solved(row, set, hidden_letters(row));  // p is nRT/V below an integral
+  const Names assumed = solved ? *solved : with_laws(row.tree, row.names, set);
   const Names all =
       with_not_zero(row, with_constants(assumed, constants_by_evidence(row, assumed)), not_zero(row, set));
   const Prepared prepared = prepare(row, all, 1);

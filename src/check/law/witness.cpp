@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "algebra/rough/rough_screen.h"
 #include "check/meaning/identity_reading.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
@@ -205,6 +206,30 @@ bool is_said_to_vanish(const Prepared& prepared, ExprTree& tree, ExprId term, co
   return decide(cache, question, few).outcome == Outcome::proved;
 }
 
+/// \Delta S of `\Delta S = C\ln(T_2/T_1)`: exact samples of
+/// logarithms, exponentials and roots are few.
+bool is_reckoned_by_functions(const ExprTree& tree, const Question& question, ExprId expr) {
+  const auto body_of = [&](SymbolId symbol) -> std::optional<ExprId> {
+    const auto found = std::ranges::find(question.definitions, symbol, &Definition::symbol);
+    return found == question.definitions.end() ? std::nullopt : std::optional(found->body);
+  };
+  std::vector<ExprId> roots{expr};
+  for (const SymbolId each : symbols_reached(tree, {expr}, body_of)) {
+    if (const auto body = body_of(each)) roots.push_back(*body);
+  }
+  return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
+    const ExprNode& node = tree[id];
+    return node.op == Op::real_power || node.op == Op::root || node.op == Op::function;
+  });
+}
+
+bool has_functions(const Question& question) {
+  return std::ranges::any_of(question.assumptions, [&](const Equation& each) {
+    return is_reckoned_by_functions(*question.tree, question, each.left) ||
+           is_reckoned_by_functions(*question.tree, question, each.right);
+  });
+}
+
 }  // namespace
 
 bool is_met_without_zeros(ExprTree& tree, const Names& names, const Equation& claim,
@@ -227,7 +252,9 @@ bool is_met_without_zeros(ExprTree& tree, const Names& names, const Equation& cl
   for (Equation& condition : nonzero.conditions(question.zeroed))
     question.assumptions.push_back(std::move(condition));
   question.tree = &tree;
-  return satisfying_sample(cache, question, {}, {}).has_value();
+  if (satisfying_sample(cache, question, {}, {})) return true;
+  return has_functions(question) &&
+         is_met_at_rough_points(question, cache == nullptr ? nullptr : &cache->budget());
 }
 
 }  // namespace rigor

@@ -12,8 +12,9 @@ namespace {
 
 bool says_what_a_letter_is(const ExprTree& tree, const Names& names, const Equation& equation) {
   const ExprNode& left = tree[equation.left];
+  const bool of_each = equation.particles == std::vector{left.particle};  // `p_s = e^{-\beta E_s}/Z`
   const bool alone = equation.relation == Relation::equal && left.op == Op::symbol && left.slot_count == 0 &&
-                     left.particle == no_particle && left.rank == tree[equation.right].rank;
+                     (left.particle == no_particle || of_each) && left.rank == tree[equation.right].rank;
   if (!alone || is_function_value(names, tree, left.symbol) || tree.symbols[left.symbol].derivation ||
       tree.is_zero_literal(equation.right))
     return false;
@@ -28,7 +29,8 @@ bool says_what_a_letter_is(const ExprTree& tree, const Names& names, const Equat
 void take_for_granted(const ExprTree& tree, Names& names, const Equation& equation, Origin origin,
                       bool at_instant) {
   if (!at_instant && says_what_a_letter_is(tree, names, equation)) {
-    NamedDefinition named{{tree[equation.left].symbol, {}, no_particle, equation.right}, std::move(origin)};
+    const ExprNode& left = tree[equation.left];
+    NamedDefinition named{{left.symbol, {}, left.particle, equation.right}, std::move(origin)};
     named.along = runs_along(names, tree, named.definition);
     define(names.scope, std::move(named));
   } else {

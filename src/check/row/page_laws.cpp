@@ -15,6 +15,8 @@
 
 #include "base/among.h"
 #include "base/ascii.h"
+#include "check/average/average_meaning.h"
+#include "check/average/average_value.h"
 #include "check/law/from_laws.h"
 #include "check/law/observables.h"
 #include "check/place/place.h"
@@ -345,11 +347,58 @@ bool is_announced(const RowPlace& place, const StepReading& row) {
          says_that_it_follows(beside(place).lead);
 }
 
+namespace {
+
+/// `\langle E^2\rangle = \sum_s p_sE_s^2` beside the law `\langle E\rangle = \sum_s p_sE_s`, for the
+/// averages of the row of which no law says what they are. The nearest law of the section counts.
+std::vector<PageLaw> averages_by_their_meaning(RowPlace& place, const Claim& claim, const Laws& available) {
+  ExprTree& tree = place.tree;
+  std::vector<PageLaw> laws;
+  const auto says = [&](const PageLaw* law, SymbolId symbol) {
+    const ExprNode& left = tree[law->equation.left];
+    return left.op == Op::symbol && left.symbol == symbol;
+  };
+  for (const SymbolId symbol :
+       symbols_reached(tree, place.names.scope, {claim.equation.left, claim.equation.right})) {
+    if (!is_average(tree, symbol) || tree.symbols[symbol].derivation ||
+        std::ranges::any_of(available, [&](const PageLaw* law) { return says(law, symbol); }))
+      continue;
+    for (auto law = available.rbegin(); law != available.rend(); ++law) {
+      const bool stated = (*law)->standing == Standing::law && !(*law)->at_instant && !(*law)->of_a_case &&
+                          place.notes.prose.sections.reaches((*law)->place, beside(place).place);
+      auto meaning = stated ? meaning_of_average(tree, place.names, symbol, (*law)->equation) : std::nullopt;
+      if (!meaning) continue;
+      laws.push_back(**law);
+      laws.back().equation = *std::move(meaning);
+      break;
+    }
+  }
+  return laws;
+}
+
+}  // namespace
+
+namespace {
+
+/// "For the second state", "in the ground state": another one than above.
+bool speaks_of_a_state(const std::string& lead) {
+  const std::string text = lowered(lead);
+  return std::ranges::any_of(words_of(text), [](std::string_view word) {
+    return is_one_of(word,
+                     {"state", "states", "level", "second", "third", "other", "another", "excited", "next"});
+  });
+}
+
+}  // namespace
+
 Grounds grounds_of(RowPlace& place, const StepReading& row, const Claim& claim) {
   const Laws above = available_to(place, row.parsed);
   std::vector<PageLaw> own = self_adjoint_letters(place, claim, above);
   std::ranges::move(laws_along_the_motion(place, claim), std::back_inserter(own));
   std::ranges::move(laws_along_a_path(place, claim, above), std::back_inserter(own));
+  // "For the second state": another weight.
+  if (!may_be_of_a_case(place, row.parsed) && !speaks_of_a_state(beside(place).lead))
+    std::ranges::move(averages_by_their_meaning(place, claim, above), std::back_inserter(own));
   const std::size_t conventions = own.size();
   std::ranges::move(said_in_its_sentence(place, row, above), std::back_inserter(own));
   Grounds grounds{.own = std::make_shared<const std::vector<PageLaw>>(std::move(own))};

@@ -170,6 +170,11 @@ void offer_what_is_near_unread(const RowPlace& place, const StepReading& row, St
 [[nodiscard]] bool follows_for_sizes(RowPlace& place, const StepReading& row, const Claim& claim,
                                      Judgement& judgement);
 
+/// Proved if what the words before it hold, "at constant temperature", is constant; else the judgement stays
+/// as it is.
+[[nodiscard]] bool follows_with_letters_held(RowPlace& place, const StepReading& row, const Claim& claim,
+                                             Judgement& judgement);
+
 // --- readings.cpp: Chains with places that can be read in two ways. All readings are decided, and only a
 // verdict that all share counts.
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `2\pi\sqrt{a^3/GM} = 2\pi a\sqrt{a/GM}` holds for a radius: a quantity that the page calls a mass, a length
 // or a frequency is positive. That is a convention, which the verdict names, so it is asked only where a root
-// leaves a row open.
+// leaves a row open. And what words hold, "at constant temperature".
 #include "check/row/row.h"
 
 #include <fmt/format.h>
@@ -16,6 +16,7 @@
 #include "check/place/place.h"
 #include "check/question/base_letters.h"
 #include "check/repair/repair.h"
+#include "check/word/held_words.h"
 #include "check/word/prose_words.h"
 #include "check/word/sizes.h"
 
@@ -126,6 +127,81 @@ bool follows_for_sizes(RowPlace& place, const StepReading& row, const Claim& cla
   place.names = before;
   if (found) judgement = std::move(under);
   return found;
+}
+
+namespace {
+
+/// The text of a `$` of a sentence.
+std::string_view maths_of(const RowPlace& place, const ProseSentence& sentence, std::size_t which) {
+  return which < sentence.maths.size() ? without_blanks_around(place.sources.text(sentence.maths[which]))
+                                       : std::string_view{};
+}
+
+/// T of "temperature", where the page calls one letter so: the last above that does, of the own section if
+/// there is one.
+std::string letter_called(const RowPlace& place, std::string_view noun) {
+  std::string letter;
+  bool of_own = false;
+  for (const ProseSentence& sentence : place.notes.prose.sentences) {
+    if (sentence.number > beside(place).sentence) break;
+    const bool own = place.notes.prose.sections.reaches(sentence.place, beside(place).place);
+    const auto called = own || !of_own ? maths_called(sentence.text, noun) : std::nullopt;
+    if (!called) continue;
+    letter = maths_of(place, sentence, *called);
+    of_own = own;
+  }
+  return letter;
+}
+
+/// The names of what the words before the row hold: "at constant $T$".
+std::set<std::string> names_held(const RowPlace& place) {
+  const std::string& lead = beside(place).lead;
+  const std::size_t begin = lead.rfind('\n') == std::string::npos ? 0 : lead.rfind('\n') + 1;
+  const HeldByWords held = held_by_words(std::string_view(lead).substr(begin));
+  std::set<std::string> names;
+  for (const std::string& noun : held.nouns) names.insert(letter_called(place, noun));
+  const auto& sentences = place.notes.prose.sentences;
+  const auto own = std::ranges::find(sentences, beside(place).sentence, &ProseSentence::number);
+  const auto earlier = std::count(lead.begin(), lead.begin() + static_cast<std::ptrdiff_t>(begin), '$');
+  for (const std::size_t which : held.maths) {
+    if (own != sentences.end())
+      names.insert(std::string(maths_of(place, *own, static_cast<std::size_t>(earlier) + which)));
+  }
+  return names;
+}
+
+}  // namespace
+
+bool follows_with_letters_held(RowPlace& place, const StepReading& row, const Claim& claim,
+                               Judgement& judgement) {
+  const bool open = judgement.verdict == Verdict::undecided || judgement.verdict == Verdict::law;
+  if (!open || row.role != Role::display || row.unsettled || claim.recorded != nullptr ||
+      is_meant_for_all(place.tree, place.names, claim))
+    return false;
+  const std::set<std::string> held = names_held(place);
+  if (held.empty()) return false;
+  const Names before = place.names;
+  std::vector<std::string> conventions;
+  for (const SymbolId each : base_letters(place.tree, place.names.scope, claim.equation)) {
+    const Symbol& symbol = place.tree.symbols[each];
+    const bool letter = symbol.rank == 0 && !symbol.integral && !symbol.derivation && !symbol.is_fixed();
+    if (!letter || !held.contains(symbol.name) || definition_of(place.names.scope, each) != nullptr) continue;
+    declare_constant(place.names.scope, each, std::nullopt);
+    conventions.push_back(fmt::format("`{}` is constant, as the words before it say", symbol.name));
+  }
+  if (conventions.empty()) return false;
+  const std::size_t stated = place.found.stated.size();
+  Judgement under = judge_here(place, claim);
+  bool found = under.verdict == Verdict::proved;
+  if (found) heed_proof(place, row.parsed, claim, under);
+  if (!found) found = follows_from_page(place, row, claim, under) && under.verdict == Verdict::proved;
+  place.names = before;
+  // What follows from it holds where it is held.
+  for (std::size_t k = stated; k < place.found.stated.size(); ++k) place.found.stated[k].law.of_a_case = true;
+  if (!found) return false;
+  under.uses.insert(under.uses.end(), conventions.begin(), conventions.end());
+  judgement = std::move(under);
+  return true;
 }
 
 }  // namespace rigor

@@ -275,7 +275,8 @@ bool is_settled_by_page(RowPlace& place, const StepReading& row, const Claim& cl
     return true;
   const Judgement by_itself = judgement;
   if (!follows_from_page(place, row, claim, judgement))
-    return follows_for_sizes(place, row, claim, judgement);
+    return follows_for_sizes(place, row, claim, judgement) ||
+           follows_with_letters_held(place, row, claim, judgement);
   if (judgement.verdict != Verdict::undecided) return true;
   // What follows from another case's definition may follow from what is said here.
   Judgement said = heed_place(place.tree, place.names, claim, by_itself, at, place.options.cache);

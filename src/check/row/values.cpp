@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "check/constant/measured_row.h"
 #include "check/constant/natural_units.h"
 #include "check/doubt/approximate_value.h"
 #include "check/doubt/digits.h"
@@ -66,7 +67,11 @@ bool agrees_with_values(RowPlace& place, const StepReading& row, const Claim& cl
   const std::vector<GivenValue> values = values_above(place);
   for (const bool again : {false, true}) {
     const Names names = with_values(place, row.parsed, claim, values, again);
-    const auto compared = agreement_of_digits(place.tree, names, claim, place.options.cache);
+    auto compared = agreement_of_digits(place.tree, names, claim, place.options.cache);
+    if (!compared) {  // `2\pi\sqrt{m/k}`: of π, a root and units only the numbers in base units have bounds
+      const auto numbers = claim_in_base_units(place.tree, names, claim);
+      if (numbers) compared = agreement_of_digits(place.tree, names, *numbers, place.options.cache, true);
+    }
     const bool exactly = !compared && !claim.nearly &&
                          judge(place.tree, names, claim, {}, place.options.cache).verdict == Verdict::proved;
     if (!compared && !exactly) continue;

@@ -53,6 +53,8 @@ Directives sight_events(const Notes& notes, Names& names,
       for (const SyntaxId side : chain.sides) sight_sums(notes.syntax, side, names.symbols.sightings.write());
     }
   }
+  for (const auto& sides : statements)
+    see_summed_members(notes.syntax, sides, names.symbols.sightings.write().members);
   const std::set<std::string> greek_only = summed;
   summed.insert(latin_particles.begin(), latin_particles.end());
   for (const auto& sides : statements) {
@@ -87,6 +89,7 @@ LocalKinds::LocalKinds(const Notes& notes, Names& names, std::size_t event)
   here.partial_rates = everywhere_->partial_rates;
   here.places = everywhere_->places;
   here.summed_greek = everywhere_->summed_greek;
+  here.members = everywhere_->members;
 }
 
 LocalKinds::~LocalKinds() { names_.symbols.sightings = std::move(everywhere_); }

@@ -37,6 +37,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, std:
       see_subscripts(notes.syntax, side, evidence);
     }
     see_families(notes.syntax, chain.sides, evidence);
+    see_summed_members(notes.syntax, chain.sides, evidence.members);
     see_components(notes.syntax, chain.sides, evidence);
     see_matrices(notes.syntax, chain.sides, chain.written, evidence);
     see_ties(notes.syntax, chain.sides, evidence);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "algebra/decide/decide.h"
+#include "algebra/rough/rough_screen.h"
 #include "base/among.h"
 #include "check/meaning/divisors.h"
 #include "check/meaning/function_values.h"
@@ -315,6 +316,7 @@ class Judging {
     if (!prepared_.exists_under) return false;
     prepared_.question.tree = &tree_;
     if (satisfying_sample(cache_, prepared_.question, {}, {})) return false;
+    if (is_met_at_rough_points(prepared_.question, nullptr)) return false;  // few exact samples have roots
     judgement_.verdict = Verdict::undecided;
     add(DiagnosticKind::undecided,
         "no sample was found for which its integrals exist: a divisor may vanish between their limits");

@@ -204,6 +204,17 @@ bool is_particular_solution(const Walk& walk, SymbolId letter) {
   return of && seen_in_equation(walk.names.scope, *of) && lead.find("particular") != std::string::npos;
 }
 
+/// Z of `p_s = e^{-\beta E_s}/Z, \quad Z = \sum_s e^{-\beta E_s}`: a sum that the same display is divided by,
+/// and that nothing before it speaks of.
+bool is_sum_of_its_display(const Walk& walk, SymbolId symbol, ExprId right) {
+  const Span display = span_of(walk.notes.events[walk.event]);
+  const Span first = walk.tree.symbols[symbol].first_seen;
+  const ExprNode& node = walk.tree[right];
+  const bool adds = node.op == Op::particle_sum ||
+                    (node.op == Op::symbol && walk.tree.symbols[node.symbol].integral.has_value());
+  return adds && first.file == display.file && first.begin >= display.begin && first.end <= display.end;
+}
+
 }  // namespace
 
 bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side& right,
@@ -247,7 +258,8 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
   const bool rate = walk.tree.symbols[definition->symbol].derivation.has_value();  // a law, not a name
   const bool known = definition_of(walk.names.scope, definition->symbol) != nullptr;
   const bool seen = seen_in_equation(walk.names.scope, definition->symbol) &&
-                    !is_next_case(walk, parsed, definition->symbol);
+                    !is_next_case(walk, parsed, definition->symbol) &&
+                    !is_sum_of_its_display(walk, definition->symbol, definition->body);
   if (context.role == Role::display && (known || rate || (seen && !named_definition))) return false;
   if (const NamedDefinition* earlier = definition_of(walk.names.scope, definition->symbol)) {
     if (is_for_now(walk, context)) {

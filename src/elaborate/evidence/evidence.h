@@ -75,6 +75,18 @@ struct TiedTogether {
   Span row;
 };
 
+/// Letters that name what is summed over and is no axis: s of `\sum_s e^{-\beta E_s}`. Of components of a
+/// vector nobody takes a function.
+struct SummedMembers {
+  std::set<std::string> summed;        // Latin, below a sum without limits
+  std::set<std::string> in_functions;  // the only subscript in an exponent, or behind `\exp`, `\ln`, `\sin`
+  std::set<std::string> otherwise;     // n of `n\epsilon`, i of `\delta_{ij}` and of `Q = T_i\Delta S`
+  std::set<std::string> vectors;       // k of `\mathbf k`, whose k_j are components
+  std::map<std::string, std::set<std::string>> on;  // E of `E_s`, by s
+
+  [[nodiscard]] bool has(const std::string& letter) const;
+};
+
 struct Evidence {
   std::set<std::string> vectors;   // bold or under an arrow somewhere
   std::set<std::string> crossed;   // factors of a cross product
@@ -149,10 +161,11 @@ struct Evidence {
   std::set<std::string> counters;   // n of `x_{n+1}`: in a subscript it counts the members of a sequence
   std::map<std::string, CountingLetter> counting;  // n of "for $n = 1, 2, \dots$"
   std::set<std::string> numbered;                  // n of `n_1`: several quantities of one name
-  bool speaks_of_levels = false;                   // "harmonics", "energy levels": then n counts them
-  std::set<std::string> quantities_apart;          // `E_{0}` of "the amplitude $E_0$": no member of the E_n
-  std::map<std::string, MatrixLetter> triples;     // S of `\mathbf S = \frac\hbar2\boldsymbol\sigma`
-  std::set<std::string> many_triples;              // \sigma of `\boldsymbol\sigma_1`, `\sigma_i^z`
+  SummedMembers members;
+  bool speaks_of_levels = false;                // "harmonics", "energy levels": then n counts them
+  std::set<std::string> quantities_apart;       // `E_{0}` of "the amplitude $E_0$": no member of the E_n
+  std::map<std::string, MatrixLetter> triples;  // S of `\mathbf S = \frac\hbar2\boldsymbol\sigma`
+  std::set<std::string> many_triples;           // \sigma of `\boldsymbol\sigma_1`, `\sigma_i^z`
   bool speaks_of_pauli = false;
   std::map<std::string, MatrixLetter> matrices;  // A of `A = \begin{pmatrix}…`, as `matrix_name` spells it
   std::set<std::string> entries;                 // letters inside written matrices, spelled so
@@ -185,6 +198,8 @@ void see_subscripts(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence)
 
 /// What one chain shows; `sides` are its sides as they were parsed.
 void see_families(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
+/// What one chain shows of the letters below its sums.
+void see_summed_members(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, SummedMembers& members);
 /// The text of a display, or `prose` with its formulas.
 void see_counting(std::string_view text, bool prose, Evidence& evidence);
 /// n of "for $n = 1, 2, \dots$": can such a letter count?

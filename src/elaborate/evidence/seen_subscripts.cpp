@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Letters that count the members of a sequence in a subscript: n of `x_{n+1}`, of `E_n = n^2E_1` and of "for
-// $n = 1, 2, \dots$".
+// $n = 1, 2, \dots$"; and s of `\sum_s p_s\ln p_s`, which names what is summed over.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -132,7 +132,110 @@ void see_quantity_apart(std::string_view text, std::size_t bar, Evidence& eviden
   evidence.quantities_apart.insert(name);
 }
 
+[[nodiscard]] bool is_latin_letter(const WrittenIndex& index) {
+  return index.form == IndexForm::letter && index.primes == 0 && index.text.size() == 1;
+}
+
+/// `\exp`, `\ln`, `\sin`: of a component of a vector nobody takes one.
+[[nodiscard]] bool is_function_of_numbers(const SyntaxTree& syntax, SyntaxId id) {
+  return syntax[id].kind == SyntaxKind::function &&
+         is_one_of(syntax.text(id), {"exp", "ln", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh"});
+}
+
+/// The letters in the subscripts of one side: those that a sum binds are all right, those that are free are
+/// collected. Recursion: as deep as the tree.
+class LettersBelow {
+ public:
+  LettersBelow(const SyntaxTree& syntax, SummedMembers& members) : syntax_(syntax), members_(members) {}
+
+  void look(SyntaxId id, bool in_function) {
+    switch (syntax_[id].kind) {
+      case SyntaxKind::symbol:
+        return look_at(syntax_.symbol(id), in_function);
+      case SyntaxKind::component:
+        for (const WrittenIndex& index : syntax_.indices(id)) members_.otherwise.insert(index.text);
+        break;
+      case SyntaxKind::derivative:
+        for (const WrittenVariable& by : syntax_.derivative(id).by) look_at(by.symbol, in_function);
+        break;
+      case SyntaxKind::big_sum: {
+        const WrittenSum& sum = syntax_.big_sum(id);
+        const bool plain = sum.from.empty() && sum.to.empty();
+        for (const WrittenIndex& index : sum.indices)
+          (plain && is_latin_letter(index) ? members_.summed : members_.otherwise).insert(index.text);
+        const std::vector<WrittenIndex> before = bound_;
+        bound_.insert(bound_.end(), sum.indices.begin(), sum.indices.end());
+        for (const SyntaxChild& child : syntax_.children(id)) look(child.id, in_function);
+        bound_ = before;
+        return;
+      }
+      case SyntaxKind::power:
+        look(syntax_.child(id, 0), in_function);
+        return look(syntax_.child(id, 1), true);
+      default:
+        break;
+    }
+    const bool inside = in_function || is_function_of_numbers(syntax_, id);
+    for (const SyntaxChild& child : syntax_.children(id)) look(child.id, inside);
+  }
+
+  [[nodiscard]] const std::set<std::string>& free() const { return free_; }
+
+ private:
+  void look_at(const WrittenSymbol& symbol, bool in_function) {
+    if (symbol.face != Face::plain) members_.vectors.insert(symbol.letter);
+    if (symbol.lower.empty()) {
+      members_.otherwise.insert(symbol.letter);
+      return;
+    }
+    const bool alone = symbol.lower.size() == 1 && symbol.face == Face::plain;
+    for (const WrittenIndex& index : symbol.lower) {
+      if (!is_latin_letter(index)) {
+        for (const std::string& each : counters_in(index)) members_.otherwise.insert(each);
+        continue;
+      }
+      if (!alone) members_.otherwise.insert(index.text);
+      members_.on[index.text].insert(symbol.letter);
+      if (alone && in_function) members_.in_functions.insert(index.text);
+      const bool bound =
+          std::ranges::any_of(bound_, [&](const WrittenIndex& each) { return each.text == index.text; });
+      if (!bound) free_.insert(index.text);
+    }
+  }
+
+  const SyntaxTree& syntax_;
+  SummedMembers& members_;
+  std::vector<WrittenIndex> bound_;
+  std::set<std::string> free_;
+};
+
 }  // namespace
+
+bool SummedMembers::has(const std::string& letter) const {
+  if (!in_functions.contains(letter) || !summed.contains(letter) || otherwise.contains(letter)) return false;
+  const auto carriers = on.find(letter);
+  return carriers != on.end() && std::ranges::none_of(carriers->second, [&](const std::string& each) {
+           return vectors.contains(each);
+         });
+}
+
+void see_summed_members(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
+                        SummedMembers& members) {
+  std::vector<std::set<std::string>> free;
+  for (const SyntaxId side : sides) {
+    LettersBelow letters(syntax, members);
+    letters.look(side, false);
+    free.push_back(letters.free());
+  }
+  // i of `Q = T_i\Delta S` is a label, s of `p_s = 1/\Omega` is none.
+  const bool says_of_each = !sides.empty() && syntax[sides[0]].kind == SyntaxKind::symbol;
+  for (std::size_t k = says_of_each ? 1 : 0; k < free.size(); ++k) {
+    for (const std::string& letter : free[k]) {
+      if (std::ranges::any_of(free, [&](const auto& other) { return !other.contains(letter); }))
+        members.otherwise.insert(letter);
+    }
+  }
+}
 
 bool may_count_members(std::string_view letter) {
   static constexpr std::array<std::string_view, 8> letters{"j", "k", "l", "m", "n", "N", "M", "\\ell"};

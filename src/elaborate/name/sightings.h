@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "elaborate/evidence/evidence.h"
 #include "elaborate/name/name_key.h"
 
 namespace rigor {
@@ -16,6 +17,7 @@ struct Sightings {
   std::set<std::string> bold_indexed;             // `\boldsymbol\omega_i`
   std::set<NameKey> indexed;                      // rank = number of letter indices: `I_{ij}`
   std::set<std::string> summed_greek;             // `\alpha` of some \sum_\alpha
+  SummedMembers members;                          // s of `\sum_s e^{-\beta E_s}`
   std::set<std::string> crossed;                  // bases of bold factors of a cross product
   std::set<NameKey> rates;                        // a time derivative of it is written
   std::set<std::pair<std::string, bool>> fields;  // that a ∂ or ∇ stands directly before: base, vector?

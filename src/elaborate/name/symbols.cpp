@@ -86,7 +86,8 @@ NameKey placed(const Symbols& symbols, NameKey key) {
 }
 
 bool labels_particles(const Symbols& symbols, const std::string& letter) {
-  return symbols.particle_letters.contains(letter) || symbols.sightings->summed_greek.contains(letter);
+  return symbols.particle_letters.contains(letter) || symbols.sightings->summed_greek.contains(letter) ||
+         symbols.sightings->members.has(letter) || symbols.evidence->members.has(letter);
 }
 
 std::optional<std::size_t> particles_declared_by(const Symbols& symbols, const std::string& letter) {

@@ -19,6 +19,8 @@
 namespace rigor {
 namespace {
 
+constexpr int most_power_of_value = 16;
+
 /// A bracket that holds one bare symbol or number: `(t)`, `(x)`.
 bool holds_one_symbol(const SyntaxTree& syntax, SyntaxId id) {
   if (syntax[id].kind != SyntaxKind::group) return false;
@@ -238,6 +240,7 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(id);
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, id)) continue;
+    if (power_of_value(reading, id, factors[k + 1])) continue;
     const BracketPart part = part_of_bracket(reading, id, next);
     if (part != BracketPart::factor && holds_operator(reading, next))
       return SpelledPart{
@@ -495,20 +498,62 @@ MaybeTyped value_of_function(Reading& reading, SyntaxId function, SyntaxId brack
   return value;
 }
 
-std::vector<SyntaxChild> without_arguments(const Reading& reading, std::span<const SyntaxChild> factors) {
+namespace {
+
+/// `(x)` of `f(x)`, which is f.
+bool only_shows_argument(const Reading& reading, SyntaxId function, SyntaxId bracket) {
   const SyntaxTree& syntax = reading.syntax;
-  const Evidence& evidence = *reading.names.symbols.evidence;
   const auto is_declared_argument = [&](const SyntaxChild& child) {
     return syntax[child.id].kind == SyntaxKind::symbol &&
            is_declared(reading.names.symbols, {syntax.symbol(child.id).letter, 0, false});
   };
+  return is_argument(syntax, function, bracket, *reading.names.symbols.evidence) &&
+         !is_value_at_what_is_known(reading, function, bracket) &&
+         std::ranges::none_of(syntax.children(bracket), is_declared_argument);
+}
+
+}  // namespace
+
+std::optional<int> power_of_value(Reading& reading, SyntaxId function, const SyntaxChild& next) {
+  const SyntaxTree& syntax = reading.syntax;
+  if (next.joint != Joint::juxtaposed || syntax[next.id].kind != SyntaxKind::power ||
+      syntax[function].kind != SyntaxKind::symbol)
+    return std::nullopt;
+  const SyntaxId bracket = syntax.child(next.id, 0);
+  const auto exponent = whole_number(syntax, syntax.child(next.id, 1));
+  if (syntax[bracket].kind != SyntaxKind::group || !exponent || *exponent < 2 ||
+      *exponent > most_power_of_value)
+    return std::nullopt;
+  if (only_shows_argument(reading, function, bracket)) return exponent;
+  const auto applied = reading.found.applied;  // what is open stays with the bracket alone
+  const bool elsewhere = reading.found.applied_elsewhere;
+  const bool of_value = part_of_bracket(reading, function, bracket) == BracketPart::argument;
+  reading.found.applied = applied;
+  reading.found.applied_elsewhere = elsewhere;
+  return of_value ? exponent : std::nullopt;
+}
+
+MaybeTyped power_of_value(Reading& reading, SyntaxId function, SyntaxId power, int exponent,
+                          const Around& around) {
+  const SyntaxTree& syntax = reading.syntax;
+  const SyntaxId bracket = syntax.child(power, 0);
+  const Span span = cover(syntax[function].span, syntax[power].span);
+  const auto value = only_shows_argument(reading, function, bracket)
+                         ? elaborate(reading, function, around)
+                         : value_of_function(reading, function, bracket, around);
+  if (!value) return std::nullopt;
+  if (value->rank != 0 || !value->free.empty() || !value->particles.empty())
+    return unsupported(reading, span,
+                       "a power of the value of a vector, or of one with indices, is not decided");
+  return apply_op(reading.tree, Op::power, span, 0, {*value}, exponent);
+}
+
+std::vector<SyntaxChild> without_arguments(const Reading& reading, std::span<const SyntaxChild> factors) {
   std::vector<SyntaxChild> kept;
   for (std::size_t k = 0; k < factors.size(); ++k) {
     const SyntaxChild& factor = factors[k];
     const bool only_shows = k > 0 && factor.joint == Joint::juxtaposed &&
-                            is_argument(syntax, factors[k - 1].id, factor.id, evidence) &&
-                            !is_value_at_what_is_known(reading, factors[k - 1].id, factor.id) &&
-                            std::ranges::none_of(syntax.children(factor.id), is_declared_argument);
+                            only_shows_argument(reading, factors[k - 1].id, factor.id);
     if (!only_shows) kept.push_back(factor);
   }
   return kept;

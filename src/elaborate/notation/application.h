@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "elaborate/name/spelled.h"
 #include "elaborate/reading/reading.h"
@@ -27,6 +28,11 @@ enum class BracketPart : std::uint8_t {
 /// A symbol that is named after the function and its argument: nothing else is known of it.
 [[nodiscard]] MaybeTyped value_of_function(Reading& reading, SyntaxId function, SyntaxId bracket,
                                            const Around& around);
+
+/// n of `f(x)^n` where `(x)` is the argument of f: a power of the value, and no factor x^n.
+[[nodiscard]] std::optional<int> power_of_value(Reading& reading, SyntaxId function, const SyntaxChild& next);
+[[nodiscard]] MaybeTyped power_of_value(Reading& reading, SyntaxId function, SyntaxId power, int exponent,
+                                        const Around& around);
 
 /// The first such place among the factors of a term, if any.
 [[nodiscard]] std::optional<SpelledPart> doubt_of_product(Reading& reading,

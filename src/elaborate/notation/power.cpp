@@ -21,13 +21,13 @@ namespace {
 
 constexpr int largest_exponent = 64;
 
-/// Twice the exponent.
-std::optional<int> half_number(const SyntaxTree& syntax, SyntaxId id) {
+/// The exponent times this: 3 of `3/2` for 2, and of `3/4` for 4.
+std::optional<int> times_exponent(const SyntaxTree& syntax, SyntaxId id, int times) {
   if (const auto whole = whole_number(syntax, id))
-    return std::abs(*whole) <= largest_exponent ? std::optional(2 * *whole) : std::nullopt;
+    return std::abs(*whole) <= largest_exponent ? std::optional(times * *whole) : std::nullopt;
   const SyntaxNode& node = syntax[id];
   if (node.kind == SyntaxKind::sum && node.count == 1 && syntax.children(id)[0].joint == Joint::minus) {
-    const auto value = half_number(syntax, syntax.child(id, 0));
+    const auto value = times_exponent(syntax, syntax.child(id, 0), times);
     return value ? std::optional(-*value) : std::nullopt;
   }
   const bool fraction = node.kind == SyntaxKind::fraction;
@@ -36,7 +36,7 @@ std::optional<int> half_number(const SyntaxTree& syntax, SyntaxId id) {
   if (!fraction && !slash) return std::nullopt;
   const auto above = whole_number(syntax, syntax.child(id, 0));
   const auto below = whole_number(syntax, syntax.child(id, 1));
-  if (!above || !below || *below != 2 || std::abs(*above) > largest_exponent) return std::nullopt;
+  if (!above || !below || *below != times || std::abs(*above) > largest_exponent) return std::nullopt;
   return *above;
 }
 
@@ -154,6 +154,12 @@ MaybeTyped real_power(Reading& reading, const Typed& base, SyntaxId exponent, Sp
   if (base.rank != 0 || above->rank != 0 || !above->free.empty())
     return unsupported(reading, span, "a power of a vector with such an exponent is not defined");
   note(reading, "a power whose exponent is not a whole number is one of a positive number");
+  const auto quarters = times_exponent(reading.syntax, exponent, 4);
+  if (quarters && !has_complex_numbers(reading.tree, base.id)) {  // `(a/\pi)^{1/4}`, whose square is a root
+    const Typed root = apply_op(reading.tree, Op::root, span, 0, {base});
+    const Typed fourth = apply_op(reading.tree, Op::root, span, 0, {root});
+    return *quarters == 1 ? fourth : apply_op(reading.tree, Op::power, span, 0, {fourth}, *quarters);
+  }
   return apply_op(reading.tree, Op::real_power, span, 0, {base, *above});
 }
 
@@ -294,7 +300,7 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
     if (hermitian) return adjoint_of(reading, *base, span);  // nobody has a number H above a matrix
     return unsupported(reading, syntax[exponent].span, "powers of matrices are read with whole numbers only");
   }
-  const auto halves = half_number(syntax, exponent);
+  const auto halves = times_exponent(syntax, exponent, 2);
   const bool number_above = !halves && is_number_above(reading, raised, exponent);
   if (!halves && !number_above) {
     return unsupported(reading, syntax[exponent].span,

@@ -124,8 +124,12 @@ MaybeTyped elaborate_term(Reading& reading, SyntaxId id, const Around& around) {
     const SyntaxChild& child = factors[k];
     std::size_t next = k + 1;
     const bool sign = reading.rules.differentials && is_differential_sign(reading.syntax, factors, k);
-    const bool applied = sign || (next < factors.size() && is_applied(reading, child.id, factors[next]));
-    auto typed = sign ? differential_at(reading, factors, k, around)
+    const auto raised =
+        sign || next >= factors.size() ? std::nullopt : power_of_value(reading, child.id, factors[next]);
+    const bool applied =
+        sign || raised || (next < factors.size() && is_applied(reading, child.id, factors[next]));
+    auto typed = raised ? power_of_value(reading, child.id, factors[next].id, *raised, around)
+                 : sign ? differential_at(reading, factors, k, around)
                  : acts_as_operator(reading.syntax, child.id)
                      ? apply_operator(reading, factors, k, next, around)
                  : applied ? value_of_function(reading, child.id, factors[next].id, around)

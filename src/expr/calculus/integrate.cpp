@@ -211,6 +211,9 @@ class Integrator {
         return times(result, terms(power(parts[0], exponent)));
       case Op::power:
         return terms(power(parts[0], exponent * node.exponent));
+      case Op::absolute:  // `|\psi|^2`
+        if (exponent % 2 != 0 || has_complex_numbers(tree_, parts[0])) break;
+        return terms(power(parts[0], exponent));
       case Op::function:
         if (node.function != Function::exp) break;
         return terms(
