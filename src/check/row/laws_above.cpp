@@ -468,50 +468,6 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
 
 namespace {
 
-/// "With $N = a^\dagger a$ this becomes"; not "For a sphere, let $V = …$" or "In the second example".
-bool is_said_for_good(const std::string& sentence) {
-  const std::string text = lowered(sentence);
-  return std::ranges::none_of(words_of(text), [](std::string_view word) {
-    return is_one_of(word, {"for",    "in",      "at",      "on",    "if",       "near",   "along",
-                            "inside", "case",    "example", "test",  "instance", "first",  "second",
-                            "third",  "suppose", "would",   "could", "exercise", "unless", "when",
-                            "only",   "small",   "large",   "not",   "special",  "during", "while"});
-  });
-}
-
-/// Two meanings of one letter in lines: nothing says which of them holds below.
-bool said_once(RowPlace& place, SymbolId letter, const SaidInLine& said) {
-  const SyntaxTree& syntax = place.notes.syntax;
-  // Who writes it otherwise is not found without reading all lines for each letter.
-  const auto begins_with = [&](const ParsedChain& chain) {
-    if (chain.sides.size() < 2 || syntax[chain.sides[0]].kind != SyntaxKind::symbol) return std::string{};
-    const WrittenSymbol& symbol = syntax.symbol(chain.sides[0]);
-    return with_labels(letter_with_marks(symbol), symbol.lower);
-  };
-  std::set<std::string> own;
-  for (const ParsedChain& chain : said.chains) own.insert(begins_with(chain));
-  const auto says = [&](const ParsedChain& chain) {
-    const std::string begins = begins_with(chain);
-    if (begins.empty() || !own.contains(begins)) return false;
-    const auto reading = read_here(place, chain);
-    return reading->sides[0].typed && place.tree[reading->sides[0].typed->id].symbol == letter;
-  };
-  return std::ranges::none_of(place.notes.prose.said, [&](const SaidInLine& other) {
-    return other.span.begin != said.span.begin && std::ranges::any_of(other.chains, says);
-  });
-}
-
-}  // namespace
-
-bool is_said_for_good(RowPlace& place, const SaidInLine& said, SymbolId letter) {
-  const std::vector<ProseSentence>& sentences = place.notes.prose.sentences;
-  const auto sentence = std::ranges::find(sentences, said.sentence, &ProseSentence::number);
-  return sentence != sentences.end() && !sentence->asks && is_said_for_good(sentence->text) &&
-         said_once(place, letter, said);
-}
-
-namespace {
-
 /// May it speak of a function, by a rate or a value? So few lines do that the others need not be read.
 bool may_speak_of_a_function(const SyntaxTree& syntax, const ParsedChain& chain) {
   return std::ranges::any_of(nodes_below(syntax, chain.sides), [&](SyntaxId id) {

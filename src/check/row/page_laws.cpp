@@ -262,8 +262,11 @@ bool relates_elements(const Names& names, const ExprTree& tree, const Claim& cla
 /// `dA = \dot A`, `dt = 1`, where the row or its laws have rates beside differentials: these hold along every
 /// path, so also along the motion, whose parameter is the time. The same by a letter: `dA/dc` beside `dA` and
 /// `dc`.
-std::vector<PageLaw> laws_along_a_path(RowPlace& place, const Claim& claim, const Laws& above) {
+std::vector<PageLaw> laws_along_a_path(RowPlace& place, const Claim& claim, Laws above) {
   ExprTree& tree = place.tree;
+  std::erase_if(above, [&](const PageLaw* law) {  // other sections have paths of their own
+    return !place.notes.prose.sections.reaches(law->place, beside(place).place);
+  });
   std::set<SymbolId> written;
   const auto see = [&](const Equation& equation) {
     for (const ExprId side : {equation.left, equation.right}) {

@@ -361,4 +361,60 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
   }
 }
 
+namespace {
+
+/// "With $N = a^\dagger a$ this becomes"; not "For a sphere, let $V = …$" or "In the second example".
+bool is_said_for_good(const std::string& sentence) {
+  const std::string text = lowered(sentence);
+  return std::ranges::none_of(words_of(text), [](std::string_view word) {
+    return is_one_of(word, {"for",    "in",      "at",       "on",      "if",       "near",   "along",
+                            "inside", "case",    "example",  "test",    "instance", "first",  "second",
+                            "third",  "suppose", "would",    "could",   "exercise", "unless", "when",
+                            "only",   "small",   "large",    "not",     "special",  "during", "while",
+                            "some",   "student", "students", "authors", "wrong",    "wrongly"});
+  });
+}
+
+/// "The student writes $p = mv^2$. This is wrong."
+bool is_taken_back(const std::vector<ProseSentence>& sentences,
+                   std::vector<ProseSentence>::const_iterator said) {
+  const auto next = std::next(said);
+  if (next == sentences.end() || next->paragraph != said->paragraph) return false;
+  const std::string text = lowered(next->text);
+  return std::ranges::any_of(words_of(text), [](std::string_view word) {
+    return is_one_of(word, {"wrong", "false", "incorrect", "mistake", "mistaken", "untrue"});
+  });
+}
+
+/// Two meanings of one letter in lines: nothing says which of them holds below.
+bool said_once(RowPlace& place, SymbolId letter, const SaidInLine& said) {
+  const SyntaxTree& syntax = place.notes.syntax;
+  // Who writes it otherwise is not found without reading all lines for each letter.
+  const auto begins_with = [&](const ParsedChain& chain) {
+    if (chain.sides.size() < 2 || syntax[chain.sides[0]].kind != SyntaxKind::symbol) return std::string{};
+    const WrittenSymbol& symbol = syntax.symbol(chain.sides[0]);
+    return with_labels(letter_with_marks(symbol), symbol.lower);
+  };
+  std::set<std::string> own;
+  for (const ParsedChain& chain : said.chains) own.insert(begins_with(chain));
+  const auto says = [&](const ParsedChain& chain) {
+    const std::string begins = begins_with(chain);
+    if (begins.empty() || !own.contains(begins)) return false;
+    const auto reading = read_here(place, chain);
+    return reading->sides[0].typed && place.tree[reading->sides[0].typed->id].symbol == letter;
+  };
+  return std::ranges::none_of(place.notes.prose.said, [&](const SaidInLine& other) {
+    return other.span.begin != said.span.begin && std::ranges::any_of(other.chains, says);
+  });
+}
+
+}  // namespace
+
+bool is_said_for_good(RowPlace& place, const SaidInLine& said, SymbolId letter) {
+  const std::vector<ProseSentence>& sentences = place.notes.prose.sentences;
+  const auto sentence = std::ranges::find(sentences, said.sentence, &ProseSentence::number);
+  return sentence != sentences.end() && !sentence->asks && is_said_for_good(sentence->text) &&
+         !is_taken_back(sentences, sentence) && said_once(place, letter, said);
+}
+
 }  // namespace rigor
