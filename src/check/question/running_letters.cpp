@@ -18,17 +18,11 @@ namespace {
 /// t of `t'` and `t_1`.
 std::string without_marks(const std::string& letter) { return letter.substr(0, letter.find_first_of("_^'")); }
 
-/// R of `U = RI` beside `dP/dU`: what the variable is made of may change with it. Masses and constants of
-/// nature do not.
 bool is_made_of(const Names& names, SymbolId variable, SymbolId symbol) {
   const NameKey* own = key_of(names.symbols, symbol);
   const NameKey* of = key_of(names.symbols, variable);
-  if (own == nullptr || of == nullptr || is_mass_or_constant(own->base)) return false;
-  const auto& tied = names.symbols.evidence->tied;
-  const auto made = tied.find(changing_name(of->base));
-  if (made == tied.end()) return false;
-  const auto rows = made->second.find(changing_name(own->base));
-  return rows != made->second.end() && rows->second.of_the_letter;
+  return own != nullptr && of != nullptr &&
+         is_made_of(*names.symbols.evidence, changing_name(of->base), changing_name(own->base));
 }
 
 /// `\dot\theta` of which nothing says what it is.

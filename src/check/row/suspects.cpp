@@ -29,6 +29,7 @@
 #include "check/scope/section_evidence.h"
 #include "check/word/prose_words.h"
 #include "elaborate/name/family.h"
+#include "expr/tree/path.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -387,8 +388,9 @@ bool speaks_of_another_curve(const RowPlace& place, const StepReading& row, cons
   return std::ranges::any_of(sides, [&](ExprId side) {
     return std::ranges::any_of(symbols_in(place.tree, side), [&](SymbolId each) {
       const auto& derivation = place.tree.symbols[each].derivation;
-      return derivation && std::ranges::any_of(derivation->by, [](const Variable& by) {
-               return by.by == By::letter && !by.partial && !by.held;
+      return derivation && std::ranges::any_of(derivation->by, [&](const Variable& by) {
+               return by.by == By::letter && !by.partial && !by.held &&
+                      !is_along_path(place.tree.symbols, by);
              });
     });
   });

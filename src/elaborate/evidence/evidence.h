@@ -108,6 +108,7 @@ struct Evidence {
   std::map<std::string, std::set<std::vector<std::string>>>
       applied;                                      // `\psi(x, t)`: letters in brackets behind it
   std::map<std::string, std::set<std::string>> by;  // x of `dy/dx`, with y: what is differentiated by
+  std::map<std::string, Span> first_by;             // where the first of these derivatives stands
   std::set<std::string> primed;                     // y of `y''` and `y'(x)`: a prime is a derivative
   std::set<std::string> with_primes;    // A of `A'`, which may be a derivative; as `changing` names it
   bool speaks_of_conservation = false;  // "conserved", "constant": then l of `l = mr^2\dot\theta` is held
@@ -368,6 +369,10 @@ void settle_changes(Evidence& evidence);
 [[nodiscard]] std::string function_name(const WrittenSymbol& symbol);
 /// `(x, t)`, but no column: nobody writes arguments so.
 [[nodiscard]] bool may_hold_arguments(const SyntaxTree& syntax, SyntaxId bracket);
+/// Does a row above the first derivative by the variable say that it is made of the letter? R of `v =
+/// R\omega` beside `dE/dv`. What stands below may be where an extremum is: `h = \sqrt{3u/M}` behind `dE/dh`.
+[[nodiscard]] bool is_made_of(const Evidence& evidence, const std::string& variable,
+                              const std::string& letter);
 /// m, c, \hbar: nobody lets them change with what is made of them, p of `p = mv`.
 [[nodiscard]] bool is_mass_or_constant(std::string_view name);
 /// `x_0`, `t'`: a value of what the function depends on.

@@ -258,7 +258,9 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
       const SyntaxId of = without_derivatives(syntax, id);
       if (syntax[of].kind == SyntaxKind::symbol) note_changing(syntax.symbol(of), evidence);
       for (const WrittenVariable& by : syntax.derivative(id).by) {
-        std::set<std::string>& functions = evidence.by[dotted(by.symbol.letter, by.symbol.dots)];
+        const std::string variable = dotted(by.symbol.letter, by.symbol.dots);
+        evidence.first_by.try_emplace(variable, syntax[id].span);
+        std::set<std::string>& functions = evidence.by[variable];
         if (syntax[of].kind == SyntaxKind::symbol) functions.insert(changing_name(syntax.symbol(of)));
       }
     }

@@ -260,6 +260,15 @@ bool is_mass_or_constant(std::string_view name) {
   return is_one_of(name, {"m", "M", "c", "\\hbar", "h", "e", "g", "G", "\\epsilon_0", "\\mu_0"});
 }
 
+bool is_made_of(const Evidence& evidence, const std::string& variable, const std::string& letter) {
+  const auto tied = evidence.tied.find(variable);
+  if (tied == evidence.tied.end() || is_mass_or_constant(letter)) return false;
+  const auto rows = tied->second.find(letter);
+  if (rows == tied->second.end() || !rows->second.of_the_letter) return false;
+  const auto first = evidence.first_by.find(variable);
+  return first == evidence.first_by.end() || rows->second.first.begin < first->second.begin;
+}
+
 void settle_changes(Evidence& evidence) {
   for (const auto& [function, variables] : evidence.running_primed) {
     if (!evidence.running.contains(function)) evidence.running[function] = variables;
@@ -276,10 +285,10 @@ void settle_changes(Evidence& evidence) {
   changing.insert("t");
   for (const auto& [variable, functions] : evidence.by) {
     changing.insert(variable);
-    const auto made = evidence.tied.find(variable);  // R and I of `U = RI` beside `dP/dU`
-    if (variable == "t" || made == evidence.tied.end()) continue;
-    for (const auto& [other, rows] : made->second) {
-      if (rows.of_the_letter && !is_mass_or_constant(other)) changing.insert(other);
+    const auto tied = evidence.tied.find(variable);
+    if (variable == "t" || tied == evidence.tied.end()) continue;
+    for (const auto& [other, rows] : tied->second) {
+      if (is_made_of(evidence, variable, other)) changing.insert(other);
     }
   }
   for (const auto& [name, arguments] : evidence.functions) {
