@@ -89,7 +89,7 @@ class RoughScreen::Points {
       Eigen::VectorXd point = drawn(draw);
       if (!move_onto_equations(point) || !keeps_orders(point)) continue;
       program_.look_at(point);
-      if (run(claim_)) return true;
+      if (run(claim_) && is_settled(point)) return true;
     }
     return false;
   }
@@ -236,6 +236,14 @@ class RoughScreen::Points {
       point -= size > most ? Eigen::VectorXd(step * (most / size)) : step;
     }
     return false;
+  }
+
+  /// A little step is left, as at a simple root; none as `e^{-x} = 0` has far out, or `x^4 = 0` near 0.
+  [[nodiscard]] bool is_settled(const Eigen::VectorXd& point) {
+    constexpr double little = 1e-6;
+    program_.look_at(point);
+    const auto equations = all_sides(equations_);
+    return equations && (equations->empty() || step_onto(*equations).norm() < little * (1 + point.norm()));
   }
 
   /// The least one that takes away all differences, as far as slopes tell; to be subtracted.

@@ -94,13 +94,17 @@ class Residual {
   /// as y in `x^2/a^2 + y^2/b^2 - 1`.
   [[nodiscard]] bool solve_for_both(const Coordinate& one, const Coordinate& other) const {
     const Rational before[] = {point_[one], point_[other]};
-    try {
-      if (solve_along_asymptote(one, other) || solve_from_a_point(one, other) ||
-          solve_from_a_point(other, one))
-        return true;
-    } catch (const PointRejected&) {
-      // not a polynomial in these numbers
-    }
+    const auto solves = [&](auto method, const Coordinate& first, const Coordinate& second) {
+      try {
+        return (this->*method)(first, second);
+      } catch (const PointRejected&) {
+        return false;  // not a polynomial in these numbers
+      }
+    };
+    if (solves(&Residual::solve_along_asymptote, one, other) ||
+        solves(&Residual::solve_from_a_point, one, other) ||
+        solves(&Residual::solve_from_a_point, other, one))
+      return true;
     point_.set(one, before[0]);
     point_.set(other, before[1]);
     return false;
@@ -172,9 +176,11 @@ class Residual {
       return with_both(one, x + dx, other, y + dy);
     };
     const Rational here = at(0, 0);
-    const Rational of_one = (at(1, 0) + at(-1, 0)) / 2 - here;
-    const Rational of_other = (at(0, 1) + at(0, -1)) / 2 - here;
-    const Rational of_both = at(1, 1) - at(1, 0) - at(0, 1) + here;
+    const Rational along_one = at(1, 0);
+    const Rational along_other = at(0, 1);
+    const Rational of_one = (along_one + at(-1, 0)) / 2 - here;
+    const Rational of_other = (along_other + at(0, -1)) / 2 - here;
+    const Rational of_both = at(1, 1) - along_one - along_other + here;
     for (const Rational& slope : rational_roots({of_other, of_both, of_one})) {
       const Rational rise = at(slope, 1) - here;
       if (cln::zerop(rise)) continue;
@@ -235,7 +241,7 @@ std::vector<Coordinate> numbers_that_solve(const Residual& residual, std::span<c
   for (const Coordinate& at : numbers) {
     if (residual.solve_quotient_for(at)) return {at};
   }
-  constexpr std::size_t most_paired = 6;
+  constexpr std::size_t most_paired = 4;
   std::vector<Coordinate> squared;
   std::ranges::copy_if(numbers.first(std::min(numbers.size(), most_paired)), std::back_inserter(squared),
                        [&](const Coordinate& at) { return residual.is_quadratic_in(at); });

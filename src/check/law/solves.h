@@ -41,8 +41,8 @@ struct SolvedEquation {
 
 /// Does the row follow since the nearest law with derivatives of an unknown holds, with what another law says
 /// of the unknown put in, for all values of its variables? It is asked for where they are 0, for the equation
-/// and its first derivatives. That the trial function is not 0 and changes with its variables is a
-/// convention, which `uses` names.
+/// and its derivatives up to the third, the second for two variables. That the trial function is not 0 and
+/// changes with its variables is a convention, which `uses` names.
 [[nodiscard]] std::optional<Judgement> follows_from_trial(const RowUnderLaws& row, const Laws& bearing);
 
 }  // namespace rigor

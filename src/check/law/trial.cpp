@@ -69,10 +69,11 @@ std::optional<SymbolId> plain_letter(const Names& names, const std::string& name
 std::optional<std::vector<VariableOfTrial>> variables_in(const RowUnderLaws& row, const Equation& equation,
                                                          SymbolId unknown) {
   std::vector<VariableOfTrial> variables;
+  bool mixed = false;  // `du/ds` beside `\partial u/\partial s`
   const auto add = [&](VariableOfTrial each) {
-    const bool known = std::ranges::any_of(
-        variables, [&](const VariableOfTrial& other) { return other.symbol == each.symbol; });
-    if (!known) variables.push_back(each);
+    const auto known = std::ranges::find(variables, each.symbol, &VariableOfTrial::symbol);
+    if (known == variables.end()) return variables.push_back(each);
+    mixed = mixed || known->by != each.by || known->axis != each.axis;
   };
   for (const ExprId id : nodes_below(row.tree, {equation.left, equation.right})) {
     const ExprNode& node = row.tree[id];
@@ -95,7 +96,7 @@ std::optional<std::vector<VariableOfTrial>> variables_in(const RowUnderLaws& row
       add({By::space, slot.axis, *place});
     }
   }
-  return variables.empty() ? std::nullopt : std::optional(std::move(variables));
+  return variables.empty() || mixed ? std::nullopt : std::optional(std::move(variables));
 }
 
 /// Does it change with none of the variables, as far as the section shows? A of `A(\omega)` does not.

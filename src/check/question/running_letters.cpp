@@ -79,7 +79,8 @@ bool is_tied_to(const Names& names, SymbolId symbol, SymbolId variable, std::opt
     const auto others = tied.find(reached[k]);
     if (others == tied.end()) continue;
     for (const auto& [other, rows] : others->second) {
-      const bool by_this_alone = but_by && !rows.several && cover(rows.first, *but_by) == rows.first;
+      const bool by_this_alone = but_by && !rows.several && rows.first.file == but_by->file &&
+                                 cover(rows.first, *but_by) == rows.first;
       if (!by_this_alone && !is_one_of(other, reached)) reached.push_back(other);
     }
   }

@@ -379,10 +379,6 @@ std::vector<PageLaw> averages_by_their_meaning(RowPlace& place, const Claim& cla
   return laws;
 }
 
-}  // namespace
-
-namespace {
-
 /// "For the second state", "in the ground state": another one than above.
 bool speaks_of_a_state(const std::string& lead) {
   const std::string text = lowered(lead);

@@ -167,6 +167,7 @@ std::set<std::string> names_held(const RowPlace& place) {
     if (own != sentences.end())
       names.insert(std::string(maths_of(place, *own, static_cast<std::size_t>(earlier) + which)));
   }
+  names.erase("");  // a noun that the page calls no letter
   return names;
 }
 
@@ -198,7 +199,11 @@ bool follows_with_letters_held(RowPlace& place, const StepReading& row, const Cl
   place.names = before;
   // What follows from it holds where it is held.
   for (std::size_t k = stated; k < place.found.stated.size(); ++k) place.found.stated[k].law.of_a_case = true;
-  if (!found) return false;
+  if (!found) {
+    place.found.stated.erase(place.found.stated.begin() + static_cast<std::ptrdiff_t>(stated),
+                             place.found.stated.end());
+    return false;
+  }
   under.uses.insert(under.uses.end(), conventions.begin(), conventions.end());
   judgement = std::move(under);
   return true;

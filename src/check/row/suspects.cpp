@@ -375,10 +375,6 @@ bool may_be_of_another_family(const RowPlace& place, const Claim& claim) {
   });
 }
 
-}  // namespace
-
-namespace {
-
 /// "The hyperbolas have `dy/dx = x/y`" below `x^2 + y^2 = c^2`: who leads into a derivative by a letter with
 /// words of its own may speak of another relation.
 bool speaks_of_another_curve(const RowPlace& place, const StepReading& row, const Claim& claim) {

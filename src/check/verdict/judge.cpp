@@ -316,7 +316,7 @@ class Judging {
     if (!prepared_.exists_under) return false;
     prepared_.question.tree = &tree_;
     if (satisfying_sample(cache_, prepared_.question, {}, {})) return false;
-    if (is_met_at_rough_points(prepared_.question, nullptr)) return false;  // few exact samples have roots
+    if (is_met_at_rough_points(prepared_.question, cache_ ? &cache_->budget() : nullptr)) return false;
     judgement_.verdict = Verdict::undecided;
     add(DiagnosticKind::undecided,
         "no sample was found for which its integrals exist: a divisor may vanish between their limits");

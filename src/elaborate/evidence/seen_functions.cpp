@@ -145,6 +145,8 @@ bool is_among(const std::set<std::string>& letters, std::string_view name) {
 }
 
 void see_functions_in(std::string_view formula, Evidence& evidence) {
+  const bool below_zero = formula.ends_with("< 0") || formula.ends_with("<0");
+  evidence.speaks_of_signs = evidence.speaks_of_signs || below_zero;
   if (const auto arrow = formula.find("\\to "); arrow != std::string_view::npos)
     formula.remove_prefix(arrow + 4);  // `A \to A(x)`
   std::size_t at = 0;
@@ -200,8 +202,6 @@ void see_inline_functions(std::string_view text, Evidence& evidence) {
     if (close == std::string_view::npos) break;
     const std::string_view formula = text.substr(open + 1, close - open - 1);
     see_functions_in(formula, evidence);
-    const bool below_zero = formula.ends_with("< 0") || formula.ends_with("<0");
-    evidence.speaks_of_signs = evidence.speaks_of_signs || below_zero;
     open = text.find('$', close + 1);
   }
   for (std::size_t open = text.find("\\("); open != std::string_view::npos;) {

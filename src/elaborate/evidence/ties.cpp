@@ -2,7 +2,9 @@
 // Which letters the rows of a section tie together, and what may change by that.
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -83,7 +85,8 @@ bool is_square(const SyntaxTree& syntax, SyntaxId side) {
 /// An identity, with the same letters on both sides, a law of rates, a sum and an integral do not. Initial
 /// values follow nothing.
 void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
-  static constexpr std::string_view of_states[] = {"N", "n", "R", "k", "k_B"};  // of `pV = NkT`: constants
+  static constexpr std::string_view constants_of_gases[] = {"N", "n", "R", "k",
+                                                            "k_B"};  // of `pV = NkT`: constants
   std::vector<std::set<std::string>> letters;
   std::set<std::string> squared;  // c of `uv = c^2`
   for (const SyntaxId side : sides) {
@@ -103,8 +106,10 @@ void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
   }
   if (letters.size() != 2 || letters[0] == letters[1]) return;
   letters[0].merge(letters[1]);
-  if (letters[0].contains("T"))
-    std::erase_if(letters[0], [](const auto& each) { return is_one_of(each, of_states); });
+  const bool of_a_gas = letters[0].contains("T") &&
+                        (letters[0].contains("p") || letters[0].contains("P") || letters[0].contains("V"));
+  if (of_a_gas)
+    std::erase_if(letters[0], [](const auto& each) { return is_one_of(each, constants_of_gases); });
   std::erase_if(letters[0], [&](const std::string& letter) { return squared.contains(letter); });
   evidence.tied_together.push_back({std::move(letters[0]), row_of(syntax, sides)});
 }
@@ -167,6 +172,7 @@ bool is_power_that_counts(const SyntaxTree& syntax, SyntaxId side, const std::ve
 }  // namespace
 
 void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+  if (sides.empty()) return;
   bool says_what_a_letter_is = false;
   for (const SyntaxId side : sides) {
     const SyntaxId letter = letter_of_side(syntax, side);
@@ -257,7 +263,7 @@ bool is_rate_of_growth(const Evidence& evidence, const std::string& letter) {
 }  // namespace
 
 bool is_mass_or_constant(std::string_view name) {
-  return is_one_of(name, {"m", "M", "c", "\\hbar", "h", "e", "g", "G", "\\epsilon_0", "\\mu_0"});
+  return is_one_of(name, {"m", "M", "c", "\\hbar", "g", "G", "\\epsilon_0", "\\mu_0"});
 }
 
 bool is_made_of(const Evidence& evidence, const std::string& variable, const std::string& letter) {
@@ -266,7 +272,9 @@ bool is_made_of(const Evidence& evidence, const std::string& variable, const std
   const auto rows = tied->second.find(letter);
   if (rows == tied->second.end() || !rows->second.of_the_letter) return false;
   const auto first = evidence.first_by.find(variable);
-  return first == evidence.first_by.end() || rows->second.first.begin < first->second.begin;
+  const Span row = rows->second.first;
+  return first == evidence.first_by.end() || first->second.file != row.file ||
+         row.begin < first->second.begin;
 }
 
 void settle_changes(Evidence& evidence) {

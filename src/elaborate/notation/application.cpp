@@ -444,10 +444,6 @@ std::vector<std::string> running_variables(const Reading& reading, const Written
   return count == 1 && in_time ? std::vector<std::string>{"t"} : std::vector<std::string>{};
 }
 
-}  // namespace
-
-namespace {
-
 std::uint8_t axis_of(const std::string& coordinate) {
   return is_one_of(coordinate, {"x", "y", "z"}) ? static_cast<std::uint8_t>(coordinate[0] - 'x' + 1) : 0;
 }
