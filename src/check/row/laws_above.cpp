@@ -130,24 +130,27 @@ struct Factors {
   std::set<SymbolId> letters;
   std::optional<SymbolId> beginning = {};
   std::optional<SymbolId> ending = {};
+  bool plain = true;  // neither a quotient nor a power
 };
 
 Factors factors_of_term(const ExprTree& tree, ExprId term) {
-  if (tree[term].op == Op::divide) return factors_of_term(tree, tree.children(term)[0]);
   if (tree[term].op == Op::symbol) return {{tree[term].symbol}, tree[term].symbol, tree[term].symbol};
   Factors factors;
+  if (tree[term].op == Op::divide) factors = factors_of_term(tree, tree.children(term)[0]);
+  factors.plain = tree[term].op != Op::divide && tree[term].op != Op::power;
   if (tree[term].op != Op::multiply) return factors;
   for (const ExprId factor : tree.children(term)) {
     const Factors own = factors_of_term(tree, factor);
     if (factor == tree.children(term).front()) factors.beginning = own.beginning;
     factors.letters.insert(own.letters.begin(), own.letters.end());
+    factors.plain = factors.plain && own.plain;
     factors.ending = own.ending;
   }
   return factors;
 }
 
-/// `H\psi = E\psi`, `Pu = Pv`: who does not cancel what ends the terms, or a capital before one letter, does
-/// not mean a product of numbers. `mg = ma` and `mv^2/r = GMm/r^2` are some.
+/// `H\psi = E\psi`, `Pu = Pv`: who does not cancel what ends the terms, or a capital that begins them, does
+/// not mean a product of numbers. `mg = ma`, `mv^2/r = GMm/r^2` and `Mv^2 = Mgh` are some.
 bool keeps_an_operator(const RowPlace& place, const Equation& equation) {
   std::vector<Factors> terms;
   for (const ExprId side : {equation.left, equation.right}) {
@@ -160,9 +163,8 @@ bool keeps_an_operator(const RowPlace& place, const Equation& equation) {
     const NameKey* key = key_of(place.names.symbols, each);
     const bool capital = key != nullptr && is_capital_letter(without_labels(key->base));
     return std::ranges::all_of(terms, [&](const Factors& term) { return term.ending == each; }) ||
-           (capital && std::ranges::all_of(terms, [&](const Factors& term) {
-              return term.beginning == each && term.letters.size() < 3;
-            }));
+           (capital && std::ranges::all_of(
+                           terms, [&](const Factors& term) { return term.beginning == each && term.plain; }));
   });
 }
 
