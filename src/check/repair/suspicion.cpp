@@ -182,7 +182,21 @@ class Suspecting {
     std::vector<SymbolId> apart;
     std::ranges::set_symmetric_difference(left, right, std::back_inserter(apart));
     const std::size_t all = (left.size() + right.size() + apart.size()) / 2;
-    return apart.size() <= 2 && (all > 1 || calculates());
+    return (apart.size() <= 2 && (all > 1 || calculates())) || leads_to_the_same_letters();
+  }
+
+  /// `\sigma_z\sigma_x = -i\sigma_y` of matrices that the page gives: each side is known in the end.
+  bool leads_to_the_same_letters() const {
+    const auto ends_of = [&](ExprId side) -> std::optional<std::set<SymbolId>> {
+      const std::vector<SymbolId> written = symbols_in(tree_, side);
+      const auto is_defined = [&](SymbolId each) { return definition_of(names_.scope, each) != nullptr; };
+      if (std::ranges::none_of(written, is_defined)) return std::nullopt;
+      std::vector<SymbolId> ends = symbols_reached(tree_, names_.scope, {side});
+      std::erase_if(ends, is_defined);
+      return std::set<SymbolId>(ends.begin(), ends.end());
+    };
+    const auto left = ends_of(row_.claim.equation.left);
+    return left && left == ends_of(row_.claim.equation.right);
   }
 
   /// Functions, derivatives, integrals, vectors: more than a polynomial, whose values at a root are a

@@ -343,7 +343,9 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
   if (judgement.verdict == Verdict::refuted) {
     if (auto doubt = doubt_of_refutation(place, row, claim)) withdraw(judgement, claim, std::move(*doubt));
   }
-  if (judgement.verdict == Verdict::undecided && !at.denied && is_restricted(judgement) &&
+  const bool of_operators =
+      has_operators(place.tree, claim.equation.left) || has_operators(place.tree, claim.equation.right);
+  if (judgement.verdict == Verdict::undecided && !at.denied && (of_operators || is_restricted(judgement)) &&
       is_suspect(place, row, claim, judgement))
     return;
   refute_by_digits(place, parsed, claim, judgement);

@@ -392,12 +392,27 @@ bool speaks_of_another_curve(const RowPlace& place, const StepReading& row, cons
   });
 }
 
+/// Do words of the section say that matrices or operators may be multiplied in any order?
+bool may_commute(const RowPlace& place) {
+  static constexpr auto words = std::to_array<std::string_view>(
+      {"commut", "diagonal", "scalar", "abelian", "simultaneous", "polynomial", "same axis", "numbers"});
+  const ProseBeside& here = beside(place);
+  const auto says = [](const std::string& text) {
+    return std::ranges::any_of(words, [&](std::string_view each) { return text.find(each) != std::string::npos; });
+  };
+  return says(lowered(place.section)) ||
+         std::ranges::any_of(place.notes.prose.sentences, [&](const ProseSentence& each) {
+           return place.notes.prose.sections.reaches(each.place, here.place) && says(lowered(each.text));
+         });
+}
+
 }  // namespace
 
 bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
-  if (may_be_of_another_family(place, claim)) return false;
-  if (!may_hold_a_slip(place, row) || why_not_all_matrices(place.tree, place.names, claim.equation))
-    return false;
+  if (may_be_of_another_family(place, claim) || !may_hold_a_slip(place, row)) return false;
+  const bool ordered = has_operators(place.tree, claim.equation.left);
+  const bool some_matrices = why_not_all_matrices(place.tree, place.names, claim.equation).has_value();
+  if (some_matrices && (!ordered || may_commute(place))) return false;
   // "Solve `\ln x^2 = \ln x`": it says which values are meant.
   if (row.which == 0 && may_be_an_equation_of_letters(place.tree, claim.equation) &&
       asks_for_values(beside(place).lead))
@@ -405,7 +420,8 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   if (speaks_of_another_curve(place, row, claim)) return false;
   const WrongStep wrong = as_wrong(place, row);
   const bool of_a_case = may_be_of_a_case(place, row.parsed);
-  const bool restricted = judgement.verdict == Verdict::undecided || (of_a_case && row.which == 0);
+  const bool restricted =
+      judgement.verdict == Verdict::undecided || some_matrices || (of_a_case && row.which == 0);
   const Laws here = grounds_for_suspicion(place, available_to(place, row.parsed));
   const bool solves = judgement.verdict != Verdict::undecided && goes_on_to_a_solution(place, row);
   const Laws to_be_solved = solves ? here : Laws{};

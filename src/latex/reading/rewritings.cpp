@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "latex/reading/exchanges.h"
 #include "latex/reading/placed_letters.h"
+#include "latex/reading/rearrangements.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -330,7 +332,9 @@ std::vector<Rewriting> rewritings_of(TokenView side, const std::vector<TokenView
   const auto is_same = [](const Rewriting& a, const Rewriting& b) {
     return a.begin == b.begin && a.end == b.end && text_of(a.text) == text_of(b.text);
   };
-  for (Rewriting& each : exchanges_of(side, chain)) {
+  std::vector<Rewriting> others = exchanges_of(side, chain);
+  std::ranges::move(rearrangements_of(side), std::back_inserter(others));
+  for (Rewriting& each : others) {
     const bool known =
         std::ranges::any_of(rewritings, [&](const Rewriting& other) { return is_same(each, other); });
     if (!known) rewritings.push_back(std::move(each));

@@ -18,7 +18,7 @@ enum class Slip : std::uint8_t {
   factor,  // a coefficient
   index,   // another letter, digit or prime on a subscript
   indices_swapped,
-  order,    // of the operands of a cross product
+  order,    // of the operands of a cross product, of factors, of the rows and columns of a matrix
   product,  // dot for cross, cross for dot
   power,
   bars,
