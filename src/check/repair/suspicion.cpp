@@ -380,12 +380,12 @@ std::optional<Suspicion> suspicion(const ExprTree& tree, const Names& names, con
   return Suspecting(tree, names, row, cache).run();
 }
 
-std::vector<Repair> statements_near(const ExprTree& tree, const Names& names, const OpenRow& row,
-                                    const NeighbourProof& follows, DecisionCache& cache) {
+std::vector<TrueNeighbour> statements_near(const ExprTree& tree, const Names& names, const OpenRow& row,
+                                           const NeighbourProof& follows, DecisionCache& cache) {
   if (cache.budget().exhausted()) return {};
   const bool states = is_of_states(tree, names, row.claim.equation);
   const ShareOfWork share(cache, states ? most_work_of_states : most_work_of_offers);
-  return repairs_of(Suspecting(tree, names, row, cache).all(follows));
+  return Suspecting(tree, names, row, cache).all(follows);
 }
 
 }  // namespace rigor

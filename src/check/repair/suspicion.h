@@ -40,8 +40,8 @@ struct OpenRow {
 /// What stands one slip of the pen away from a row that is left open, and holds as `follows` asks the row:
 /// another quantity may be meant, so this says nothing against the row. At most three, the nearest first.
 /// `row.available` are the laws that samples of neighbours meet. Orders and `≈` are searched as well.
-[[nodiscard]] std::vector<Repair> statements_near(const ExprTree& tree, const Names& names,
-                                                  const OpenRow& row, const NeighbourProof& follows,
-                                                  DecisionCache& cache);
+[[nodiscard]] std::vector<TrueNeighbour> statements_near(const ExprTree& tree, const Names& names,
+                                                         const OpenRow& row, const NeighbourProof& follows,
+                                                         DecisionCache& cache);
 
 }  // namespace rigor

@@ -166,7 +166,7 @@ bool shows_digits(const ExprTree& tree, const Names& names, const Claim& claim) 
 }
 
 /// A row that shows a number, with what is rounded: its neighbours are asked for the digits as it was.
-std::vector<Repair> numbers_near(RowPlace& place, const StepReading& row) {
+std::vector<TrueNeighbour> numbers_near(RowPlace& place, const StepReading& row) {
   constexpr std::uint64_t most_work = 1'000'000;
   DecisionCache& cache = *place.options.cache;
   const ShareOfWork share(cache, most_work);
@@ -188,16 +188,16 @@ std::vector<Repair> numbers_near(RowPlace& place, const StepReading& row) {
     if (judgement.verdict != Verdict::proved) return std::nullopt;
     return std::move(judgement.uses);
   };
-  return repairs_of(true_neighbours(place.tree, place.names, as_wrong(place, row), agrees, &cache, {},
-                                    NotCompared::all_asked));
+  return true_neighbours(place.tree, place.names, as_wrong(place, row), agrees, &cache, {},
+                         NotCompared::all_asked);
 }
 
 /// `unread`: the claim is that of a neighbour. `marks_only`: only what takes a dot, a prime or
 /// the letter below one back counts.
-std::vector<Repair> near_as_read(RowPlace& place, const StepReading& row, const Claim& claim, bool unread,
-                                 bool marks_only) {
+std::vector<TrueNeighbour> near_as_read(RowPlace& place, const StepReading& row, const Claim& claim,
+                                        bool unread, bool marks_only) {
   if (!marks_only && shows_digits(place.tree, place.names, claim)) {
-    std::vector<Repair> near = numbers_near(place, row);
+    std::vector<TrueNeighbour> near = numbers_near(place, row);
     if (!near.empty()) return near;
   }
   DecisionCache& cache = *place.options.cache;
@@ -250,8 +250,9 @@ std::optional<Evidence> evidence_beside(const RowPlace& place, const ParsedChain
   return same ? std::nullopt : std::optional(std::move(others));
 }
 
-std::vector<Repair> what_is_near(RowPlace& place, const StepReading& row, const Claim& claim, bool unread) {
-  std::vector<Repair> near = near_as_read(place, row, claim, unread, false);
+std::vector<TrueNeighbour> what_is_near(RowPlace& place, const StepReading& row, const Claim& claim,
+                                        bool unread) {
+  std::vector<TrueNeighbour> near = near_as_read(place, row, claim, unread, false);
   if (!near.empty() || !has_marks(row.parsed)) return near;
   if (auto others = evidence_beside(place, row.parsed)) {
     ExprTree tree = place.tree;
@@ -398,12 +399,35 @@ bool may_commute(const RowPlace& place) {
       {"commut", "diagonal", "scalar", "abelian", "simultaneous", "polynomial", "same axis", "numbers"});
   const ProseBeside& here = beside(place);
   const auto says = [](const std::string& text) {
-    return std::ranges::any_of(words, [&](std::string_view each) { return text.find(each) != std::string::npos; });
+    return std::ranges::any_of(words,
+                               [&](std::string_view each) { return text.find(each) != std::string::npos; });
   };
   return says(lowered(place.section)) ||
          std::ranges::any_of(place.notes.prose.sentences, [&](const ProseSentence& each) {
            return place.notes.prose.sections.reaches(each.place, here.place) && says(lowered(each.text));
          });
+}
+
+}  // namespace
+
+namespace {
+
+void suspect(const Claim& claim, Repair repair, std::vector<std::string> uses, Judgement& judgement) {
+  judgement.verdict = Verdict::suspect;
+  judgement.route = "one slip of the pen away from what follows";
+  judgement.uses = std::move(uses);
+  judgement.counterexample.reset();
+  judgement.sample.reset();
+  judgement.diagnostics = {{DiagnosticKind::suspect,
+                            claim.relation,
+                            judgement.uses.empty()
+                                ? fmt::format("it does not follow, but `{}` holds", repair.statement)
+                                : fmt::format("it does not follow, but `{}` follows from {}",
+                                              repair.statement, fmt::join(judgement.uses, ", ")),
+                            {},
+                            {"`rigor: law next` says that it is meant as it stands"}}};
+  repair.uses = judgement.uses;
+  judgement.repairs = {std::move(repair)};
 }
 
 }  // namespace
@@ -441,23 +465,57 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   if (adds_a_new_rate(place, found->repair) || counts_in_the_plane(place, row) ||
       holds_with_lines(place, row, claim))
     return false;
-  judgement.verdict = Verdict::suspect;
-  judgement.route = "one slip of the pen away from what follows";
-  judgement.uses = std::move(found->uses);
-  judgement.counterexample.reset();
-  judgement.sample.reset();
-  judgement.diagnostics = {{DiagnosticKind::suspect,
-                            claim.relation,
-                            judgement.uses.empty()
-                                ? fmt::format("it does not follow, but `{}` holds", found->repair.statement)
-                                : fmt::format("it does not follow, but `{}` follows from {}",
-                                              found->repair.statement, fmt::join(judgement.uses, ", ")),
-                            {},
-                            {"`rigor: law next` says that it is meant as it stands"}}};
-  found->repair.uses = judgement.uses;
-  judgement.repairs = {std::move(found->repair)};
+  suspect(claim, std::move(found->repair), std::move(found->uses), judgement);
   return true;
 }
+
+namespace {
+
+/// What no pair of true rows differs in, unless something vanishes or is 1.
+bool excludes_the_other(Slip slip) {
+  switch (slip) {
+    case Slip::sign:
+    case Slip::factor:
+    case Slip::power:
+    case Slip::inverted:
+    case Slip::function:
+    case Slip::order:
+    case Slip::product:
+    case Slip::indices_swapped:
+    case Slip::letters_exchanged:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// "Hence `\tan\varphi = A/B`", where `\tan\varphi = B/A` follows from what stands above: a row that is
+/// announced as a conclusion rests on the same ground. Not from what another section says, nor from what is
+/// said of a case in another argument.
+bool is_meant_to_follow(RowPlace& place, const StepReading& row, const Claim& claim,
+                        const Judgement& judgement, const TrueNeighbour& near) {
+  const bool concludes = judgement.verdict == Verdict::undecided && !judgement.diagnostics.empty() &&
+                         judgement.diagnostics.back().kind == DiagnosticKind::follows_from_nothing &&
+                         is_announced(place, row);
+  if (!concludes || claim.nearly || claim.equation.relation != Relation::equal ||
+      !excludes_the_other(near.slip) || shows_digits(place.tree, place.names, claim))
+    return false;
+  if (may_be_of_another_family(place, claim) || may_be_of_a_case(place, row.parsed) ||
+      speaks_of_another_curve(place, row, claim))
+    return false;
+  const ProseBeside& here = beside(place);
+  const bool rests_on_others = std::ranges::any_of(available_to(place, row.parsed), [&](const PageLaw* law) {
+    if (!is_one_of(law->name, near.uses)) return false;
+    const bool of_another = (law->of_a_case || law->at_instant) && law->argument != here.argument;
+    return of_another || is_open(*law) || law->proves_only ||
+           !place.notes.prose.sections.reaches(law->place, here.place);
+  });
+  return !rests_on_others && rests_on_what_is_said_here(place, row, near.uses) &&
+         !adds_a_new_rate(place, near.repair) && !counts_in_the_plane(place, row) &&
+         !holds_with_lines(place, row, claim);
+}
+
+}  // namespace
 
 bool is_told_what_is_near(const RowPlace& place, const StepReading& row, Verdict verdict) {
   const bool asks = verdict == Verdict::undecided || verdict == Verdict::suspect ||
@@ -467,9 +525,12 @@ bool is_told_what_is_near(const RowPlace& place, const StepReading& row, Verdict
 
 void offer_what_is_near(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (judgement.restates || !is_told_what_is_near(place, row, judgement.verdict)) return;
-  std::vector<Repair> near = what_is_near(place, row, claim, false);
-  if (judgement.verdict == Verdict::suspect) return add_others(judgement.repairs, std::move(near));
-  judgement.repairs = std::move(near);
+  std::vector<TrueNeighbour> near = what_is_near(place, row, claim, false);
+  const bool meant = !near.empty() && is_meant_to_follow(place, row, claim, judgement, near.front());
+  if (meant) suspect(claim, near.front().repair, near.front().uses, judgement);
+  std::vector<Repair> repairs = repairs_of(std::move(near));
+  if (judgement.verdict == Verdict::suspect) return add_others(judgement.repairs, std::move(repairs));
+  judgement.repairs = std::move(repairs);
   name_nearest(judgement.repairs, judgement.diagnostics);
 }
 
@@ -483,7 +544,7 @@ void offer_what_is_near_unread(const RowPlace& place, const StepReading& row, St
   auto claim = nearest_claim(tree, there.names, as_wrong(place, row));
   if (!claim) return;
   claim->reading = &row.reading.reading();
-  step.repairs = what_is_near(there, row, *claim, true);
+  step.repairs = repairs_of(what_is_near(there, row, *claim, true));
   name_nearest(step.repairs, step.diagnostics);
 }
 

@@ -24,6 +24,7 @@ std::string name_of_derivative(const SymbolTable& symbols, const Derivation& der
       name.insert(0, "d");
     } else if (each.by == By::letter) {
       name.insert(0, "\\partial_{" + symbols[each.letter].name + "} ");
+      if (each.held) name = "(" + name + ")_{" + symbols[*each.held].name + "}";
     }
     if (each.by == By::space) name.insert(0, "\\partial ");
     if (each.by == By::small) name.insert(0, "\\delta ");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -27,7 +28,7 @@ struct OrderedFactor {
 
 class Rearranger {
  public:
-  explicit Rearranger(TokenView side) : side_(side) {}
+  Rearranger(TokenView side, const std::vector<TokenView>& chain) : side_(side), chain_(chain) {}
 
   std::vector<Rewriting> all() {
     for (const PieceLevel& level : levels_of(side_)) {
@@ -39,6 +40,7 @@ class Rearranger {
       argument(k);
       exponent(k);
       root(k);
+      held(k);
     }
     return std::move(rewritings_);
   }
@@ -79,8 +81,9 @@ class Rearranger {
   static bool may_act(TokenView factor) {
     const bool capital = factor[0].kind == TokenKind::letter && is_capital_letter(factor[0].text);
     const bool shown = is_control_of(factor[0], {"hat", "comm", "sigma", "mathbf", "mathsf"});
-    const bool adjoint = std::ranges::any_of(
-        factor, [](const Token& token) { return is_control_of(token, {"dagger", "dag"}); });
+    const bool adjoint = std::ranges::any_of(factor, [](const Token& token) {
+      return is_control_of(token, {"dagger", "dag"});
+    });
     return capital || shown || adjoint || is_sign(factor[0], "[") || factor[0].text == "a";
   }
 
@@ -139,8 +142,8 @@ class Rearranger {
       if (row) rows.emplace_back();
     }
     if (rows.back().empty()) rows.pop_back();
-    const bool square = rows.size() > 1 && std::ranges::all_of(
-                                               rows, [&](const auto& row) { return row.size() == rows.size(); });
+    const bool square = rows.size() > 1 &&
+                        std::ranges::all_of(rows, [&](const auto& row) { return row.size() == rows.size(); });
     return square ? std::optional(std::move(rows)) : std::nullopt;
   }
 
@@ -267,14 +270,33 @@ class Rearranger {
     add(Slip::power, k, under.next, std::move(to), between(k, under.next));
   }
 
+  /// `(\partial V/\partial S)_p` for `(\partial V/\partial S)_T`, of the letters of the chain.
+  void held(std::size_t k) {
+    if (side_[k].kind != TokenKind::subscript || k == 0 || !is_sign(side_[k - 1], ")")) return;
+    const Argument letter = argument_at(side_, k + 1);
+    if (letter.content.size() != 1 || letter.content[0].kind != TokenKind::letter) return;
+    std::set<std::string_view> others;
+    for (const TokenView side : chain_) {
+      for (const PlacedLetter& each : letters_in(side)) {
+        const Token& other = side[each.at];
+        if (other.kind == TokenKind::letter && other.text != letter.content[0].text)
+          others.insert(other.text);
+      }
+    }
+    const std::size_t at = place(letter.content);
+    for (const std::string_view other : others)
+      add(Slip::index, at, at + 1, {made(TokenKind::letter, other, at)}, between(k, letter.next));
+  }
+
   TokenView side_;
+  const std::vector<TokenView>& chain_;
   std::vector<Rewriting> rewritings_;
 };
 
 }  // namespace
 
-std::vector<Rewriting> rearrangements_of(TokenView side) {
-  return side.empty() ? std::vector<Rewriting>{} : Rearranger(side).all();
+std::vector<Rewriting> rearrangements_of(TokenView side, const std::vector<TokenView>& chain) {
+  return side.empty() ? std::vector<Rewriting>{} : Rearranger(side, chain).all();
 }
 
 }  // namespace rigor

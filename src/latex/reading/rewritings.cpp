@@ -333,7 +333,7 @@ std::vector<Rewriting> rewritings_of(TokenView side, const std::vector<TokenView
     return a.begin == b.begin && a.end == b.end && text_of(a.text) == text_of(b.text);
   };
   std::vector<Rewriting> others = exchanges_of(side, chain);
-  std::ranges::move(rearrangements_of(side), std::back_inserter(others));
+  std::ranges::move(rearrangements_of(side, chain), std::back_inserter(others));
   for (Rewriting& each : others) {
     const bool known =
         std::ranges::any_of(rewritings, [&](const Rewriting& other) { return is_same(each, other); });
