@@ -471,46 +471,96 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
 
 namespace {
 
-/// What no pair of true rows differs in, unless something vanishes or is 1.
+/// What no pair of true rows differs in, unless something vanishes, is 1 or equals another thing.
 bool excludes_the_other(Slip slip) {
-  switch (slip) {
-    case Slip::sign:
-    case Slip::factor:
-    case Slip::power:
-    case Slip::inverted:
-    case Slip::function:
-    case Slip::order:
-    case Slip::product:
-    case Slip::indices_swapped:
-    case Slip::letters_exchanged:
-      return true;
-    default:
-      return false;
-  }
+  static constexpr std::array slips{Slip::sign, Slip::factor, Slip::power, Slip::inverted, Slip::function};
+  return std::ranges::find(slips, slip) != slips.end();
 }
 
-/// "Hence `\tan\varphi = A/B`", where `\tan\varphi = B/A` follows from what stands above: a row that is
-/// announced as a conclusion rests on the same ground. Not from what another section says, nor from what is
-/// said of a case in another argument.
-bool is_meant_to_follow(RowPlace& place, const StepReading& row, const Claim& claim,
-                        const Judgement& judgement, const TrueNeighbour& near) {
-  const bool concludes = judgement.verdict == Verdict::undecided && !judgement.diagnostics.empty() &&
-                         judgement.diagnostics.back().kind == DiagnosticKind::follows_from_nothing &&
-                         is_announced(place, row);
-  if (!concludes || claim.nearly || claim.equation.relation != Relation::equal ||
-      !excludes_the_other(near.slip) || shows_digits(place.tree, place.names, claim))
-    return false;
-  if (may_be_of_another_family(place, claim) || may_be_of_a_case(place, row.parsed) ||
-      speaks_of_another_curve(place, row, claim))
-    return false;
+/// The same where no word speaks of a case: of symmetric and commuting things both are true.
+bool excludes_the_other_in_general(Slip slip) {
+  static constexpr std::array slips{Slip::order, Slip::product, Slip::indices_swapped,
+                                    Slip::letters_exchanged};
+  return excludes_the_other(slip) || std::ranges::find(slips, slip) != slips.end();
+}
+
+/// Without blanks, braces and sizes of brackets.
+std::string bare(std::string text) {
+  for (const std::string_view sign : {"\\left", "\\right", "\\,", "\\;", "\\!"}) {
+    for (auto at = text.find(sign); at != std::string::npos; at = text.find(sign, at))
+      text.erase(at, sign.size());
+  }
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\n' || c == '{' || c == '}'; });
+  return text;
+}
+
+/// "Moving down, `N = mg - ma`" below `N = mg + ma` of one that moves up.
+bool repeats_a_row(const RowPlace& place, const StepReading& row, const Repair& repair) {
+  const std::string said = bare(repair.statement);
+  const auto is_it = [&](ExprId left, ExprId right) {
+    const auto text = [&](ExprId side) { return bare(written_at(place, place.tree[side].span)); };
+    return said == text(left) + "=" + text(right) || said == text(right) + "=" + text(left);
+  };
+  return std::ranges::any_of(
+             available_to(place, row.parsed),
+             [&](const PageLaw* law) { return is_it(law->equation.left, law->equation.right); }) ||
+         std::ranges::any_of(place.names.scope.definitions, [&](const NamedDefinition& named) {
+           return said.ends_with("=" + bare(written_at(place, place.tree[named.definition.body].span)));
+         });
+}
+
+/// "In the other direction", "with the opposite convention"
+bool speaks_of_an_opposite(const RowPlace& place) {
+  static constexpr auto words = std::to_array<std::string_view>(
+      {"opposite",     "reverse",       "reversed",   "backwards",   "downward", "downwards", "down",
+       "other",        "instead",       "convention", "conventions", "contrary", "wrong",     "negative",
+       "antiparallel", "leftward",      "left",       "inward",      "inwards",  "clockwise", "second",
+       "another",      "alternatively", "not",        "no",          "never"});
   const ProseBeside& here = beside(place);
-  const bool rests_on_others = std::ranges::any_of(available_to(place, row.parsed), [&](const PageLaw* law) {
-    if (!is_one_of(law->name, near.uses)) return false;
+  for (const std::string_view text :
+       {std::string_view(here.lead).substr(here.lead.rfind('\n') + 1), std::string_view(here.tail)}) {
+    const std::string lowered_text = lowered(text);
+    if (std::ranges::any_of(words_of(lowered_text),
+                            [](std::string_view word) { return is_one_of(word, words); }))
+      return true;
+  }
+  return false;
+}
+
+/// Does it rest on what another section says, on a conclusion of which no proof was found, or on what is said
+/// of a case or a moment in another argument?
+bool rests_on_other_ground(const RowPlace& place, const StepReading& row,
+                           const std::vector<std::string>& uses) {
+  const ProseBeside& here = beside(place);
+  return std::ranges::any_of(available_to(place, row.parsed), [&](const PageLaw* law) {
+    if (!is_one_of(law->name, uses)) return false;
     const bool of_another = (law->of_a_case || law->at_instant) && law->argument != here.argument;
     return of_another || is_open(*law) || law->proves_only ||
            !place.notes.prose.sections.reaches(law->place, here.place);
   });
-  return !rests_on_others && rests_on_what_is_said_here(place, row, near.uses) &&
+}
+
+/// "Hence `\tan\varphi = A/B`", where `\tan\varphi = B/A` follows from what stands above: a row that is
+/// announced as a conclusion rests on the same ground. Or a row that holds for some values only, which words
+/// may name: both hold only where something vanishes, and nobody writes it then.
+bool is_meant_to_follow(RowPlace& place, const StepReading& row, const Claim& claim,
+                        const Judgement& judgement, const TrueNeighbour& near) {
+  if (judgement.verdict != Verdict::undecided || judgement.diagnostics.empty() || claim.nearly ||
+      claim.equation.relation != Relation::equal || shows_digits(place.tree, place.names, claim))
+    return false;
+  const DiagnosticKind kind = judgement.diagnostics.back().kind;
+  const bool excludes = excludes_the_other(near.slip);
+  const bool concludes =
+      kind == DiagnosticKind::follows_from_nothing && is_announced(place, row) &&
+      (excludes || (excludes_the_other_in_general(near.slip) && !may_be_of_a_case(place, row.parsed)));
+  const bool restricted = kind == DiagnosticKind::restricted || kind == DiagnosticKind::borrowed;
+  const bool of_operators =
+      kind == DiagnosticKind::undecided && has_operators(place.tree, claim.equation.left);
+  if (!concludes && !((restricted || of_operators) && excludes)) return false;
+  if (may_be_of_another_family(place, claim) || speaks_of_another_curve(place, row, claim) ||
+      speaks_of_an_opposite(place) || repeats_a_row(place, row, near.repair))
+    return false;
+  return !rests_on_other_ground(place, row, near.uses) && rests_on_what_is_said_here(place, row, near.uses) &&
          !adds_a_new_rate(place, near.repair) && !counts_in_the_plane(place, row) &&
          !holds_with_lines(place, row, claim);
 }
