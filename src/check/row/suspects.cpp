@@ -527,6 +527,19 @@ bool speaks_of_an_opposite(const RowPlace& place) {
   return false;
 }
 
+/// `\sin x = A \; \csc x = B`: what stands between two equality signs can be the end of one equation and the
+/// beginning of another.
+bool may_be_two_equations(const StepReading& row) {
+  const auto& sides = row.parsed.written.sides;
+  for (std::size_t k = 1; k + 1 < sides.size(); ++k) {
+    const bool spaced = std::ranges::any_of(sides[k].tokens, [](const Token& token) {
+      return is_control_of(token, {";", " ", "quad", "qquad", "hspace"});
+    });
+    if (spaced && (k == row.which || k == row.which + 1)) return true;
+  }
+  return false;
+}
+
 /// Does it rest on what another section says, on a conclusion of which no proof was found, or on what is said
 /// of a case or a moment in another argument?
 bool rests_on_other_ground(const RowPlace& place, const StepReading& row,
@@ -558,7 +571,7 @@ bool is_meant_to_follow(RowPlace& place, const StepReading& row, const Claim& cl
       kind == DiagnosticKind::undecided && has_operators(place.tree, claim.equation.left);
   if (!concludes && !((restricted || of_operators) && excludes)) return false;
   if (may_be_of_another_family(place, claim) || speaks_of_another_curve(place, row, claim) ||
-      speaks_of_an_opposite(place) || repeats_a_row(place, row, near.repair))
+      speaks_of_an_opposite(place) || repeats_a_row(place, row, near.repair) || may_be_two_equations(row))
     return false;
   return !rests_on_other_ground(place, row, near.uses) && rests_on_what_is_said_here(place, row, near.uses) &&
          !adds_a_new_rate(place, near.repair) && !counts_in_the_plane(place, row) &&
