@@ -2,6 +2,7 @@
 #include "check/repair/suspicion.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -87,6 +88,8 @@ class Suspecting {
   }
 
  private:
+  bool is_limited() const { return row_.restricted || row_.of_a_case; }
+
   /// Says nothing, or says the row in another order.
   bool repeats(ExprTree& tree, const Equation& candidate) const {
     const Equation& own = row_.claim.equation;
@@ -223,8 +226,10 @@ class Suspecting {
   /// first.
   std::optional<Suspicion> nearest(const Laws& met, const std::vector<Laws>& sets) {
     const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim, Slip slip) {
+      if (row_.of_a_case && !sets.empty() && !excludes_the_other(slip))
+        return std::optional<std::vector<std::string>>{};
       auto uses = is_likely(tree, claim, slip) ? proved(tree, names, claim, slip, sets) : std::nullopt;
-      const bool doubtful = uses && (row_.restricted || changes_a_letter(slip)) && slip != Slip::factor;
+      const bool doubtful = uses && (is_limited() || changes_a_letter(slip)) && slip != Slip::factor;
       if (doubtful && may_hold_under_a_usual_condition()) uses.reset();
       return uses;
     };
@@ -342,7 +347,7 @@ class Suspecting {
     const bool changes_what_is_said = changes_a_letter(slip) || changes_the_terms(slip) ||
                                       slip == Slip::letters_exchanged ||
                                       (slip == Slip::factor && !scales_a_side(tree, claim.equation));
-    if (row_.restricted && changes_what_is_said) return false;
+    if (is_limited() && changes_what_is_said) return false;
     if (changes_a_letter(slip) || slip == Slip::letters_exchanged) {
       // `\frac{dy}{dy}\frac{dp}{dx}` for `\frac{dp}{dy}\frac{dy}{dx}`: what becomes a number was meant.
       if (symbols_of(tree, claim.equation) < symbols_of(tree_, own)) return false;
@@ -369,6 +374,11 @@ bool is_of_states(const ExprTree& tree, const Names& names, const Equation& equa
 }
 
 }  // namespace
+
+bool excludes_the_other(Slip slip) {
+  static constexpr std::array slips{Slip::sign, Slip::factor, Slip::power, Slip::inverted, Slip::function};
+  return std::ranges::find(slips, slip) != slips.end();
+}
 
 std::optional<Suspicion> suspicion(const ExprTree& tree, const Names& names, const OpenRow& row,
                                    DecisionCache& cache) {

@@ -27,8 +27,13 @@ struct OpenRow {
   const Laws& to_be_solved = {};  // differential equations and their conditions
   bool announced = false;         // as a conclusion: then it may lack a term
   bool restricted = false;        // words may limit it to a case: only an identity near it counts
+  bool of_a_case = false;         // beside laws only slips count that exclude the row
   bool unread = false;            // the claim is that of a neighbour
 };
+
+/// No pair of true rows differs in it, unless something vanishes, is 1 or equals another thing, and nobody
+/// writes such a row then: words that limit it to a case explain nothing.
+[[nodiscard]] bool excludes_the_other(Slip slip);
 
 /// The nearest statement that is an identity or follows from definitions and from what is given; else one
 /// that follows from laws, of the smallest set that is enough. Nothing for orders and `≈`. It works on

@@ -412,78 +412,6 @@ bool may_commute(const RowPlace& place) {
 
 namespace {
 
-void suspect(const Claim& claim, Repair repair, std::vector<std::string> uses, Judgement& judgement) {
-  judgement.verdict = Verdict::suspect;
-  judgement.route = "one slip of the pen away from what follows";
-  judgement.uses = std::move(uses);
-  judgement.counterexample.reset();
-  judgement.sample.reset();
-  judgement.diagnostics = {{DiagnosticKind::suspect,
-                            claim.relation,
-                            judgement.uses.empty()
-                                ? fmt::format("it does not follow, but `{}` holds", repair.statement)
-                                : fmt::format("it does not follow, but `{}` follows from {}",
-                                              repair.statement, fmt::join(judgement.uses, ", ")),
-                            {},
-                            {"`rigor: law next` says that it is meant as it stands"}}};
-  repair.uses = judgement.uses;
-  judgement.repairs = {std::move(repair)};
-}
-
-}  // namespace
-
-bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
-  if (may_be_of_another_family(place, claim) || !may_hold_a_slip(place, row)) return false;
-  const bool ordered = has_operators(place.tree, claim.equation.left);
-  const bool some_matrices = why_not_all_matrices(place.tree, place.names, claim.equation).has_value();
-  if (some_matrices && (!ordered || may_commute(place))) return false;
-  // "Solve `\ln x^2 = \ln x`": it says which values are meant.
-  if (row.which == 0 && may_be_an_equation_of_letters(place.tree, claim.equation) &&
-      asks_for_values(beside(place).lead))
-    return false;
-  if (speaks_of_another_curve(place, row, claim)) return false;
-  const WrongStep wrong = as_wrong(place, row);
-  const bool of_a_case = may_be_of_a_case(place, row.parsed);
-  const bool restricted =
-      judgement.verdict == Verdict::undecided || some_matrices || (of_a_case && row.which == 0);
-  const Laws here = grounds_for_suspicion(place, available_to(place, row.parsed));
-  const bool solves = judgement.verdict != Verdict::undecided && goes_on_to_a_solution(place, row);
-  const Laws to_be_solved = solves ? here : Laws{};
-  const Laws grounds = restricted ? Laws{} : without_cases(here);
-  const bool may_lack_a_term = is_announced(place, row) && !of_a_case;
-  Names names = as_said_here(place, row);
-  const Grounds above = grounds_of(place, row, claim);
-  for (const PageLaw& law : *above.own) {
-    if (law.by_convention && !law.proves_only)
-      assume(names.scope, {law.equation, Origin{law.name, {}, std::nullopt}, 0});
-  }
-  for (const NamedAssumption& each : sizes_that_matter(place, row, claim)) assume(names.scope, each);
-  auto found =
-      suspicion(place.tree, names, {wrong, claim, grounds, to_be_solved, may_lack_a_term, restricted},
-                *place.options.cache);
-  if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
-  if (adds_a_new_rate(place, found->repair) || counts_in_the_plane(place, row) ||
-      holds_with_lines(place, row, claim))
-    return false;
-  suspect(claim, std::move(found->repair), std::move(found->uses), judgement);
-  return true;
-}
-
-namespace {
-
-/// What no pair of true rows differs in, unless something vanishes, is 1 or equals another thing.
-bool excludes_the_other(Slip slip) {
-  static constexpr std::array slips{Slip::sign, Slip::factor, Slip::power, Slip::inverted, Slip::function};
-  return std::ranges::find(slips, slip) != slips.end();
-}
-
-/// The same where no word speaks of a case: of symmetric and commuting things both are true.
-bool excludes_the_other_in_general(Slip slip) {
-  static constexpr std::array slips{Slip::order, Slip::product, Slip::indices_swapped,
-                                    Slip::letters_exchanged};
-  return excludes_the_other(slip) || std::ranges::find(slips, slip) != slips.end();
-}
-
 /// Without blanks, braces and sizes of brackets.
 std::string bare(std::string text) {
   for (const std::string_view sign : {"\\left", "\\right", "\\,", "\\;", "\\!"}) {
@@ -525,6 +453,76 @@ bool speaks_of_an_opposite(const RowPlace& place) {
       return true;
   }
   return false;
+}
+
+void suspect(const Claim& claim, Repair repair, std::vector<std::string> uses, Judgement& judgement) {
+  judgement.verdict = Verdict::suspect;
+  judgement.route = "one slip of the pen away from what follows";
+  judgement.uses = std::move(uses);
+  judgement.counterexample.reset();
+  judgement.sample.reset();
+  judgement.diagnostics = {{DiagnosticKind::suspect,
+                            claim.relation,
+                            judgement.uses.empty()
+                                ? fmt::format("it does not follow, but `{}` holds", repair.statement)
+                                : fmt::format("it does not follow, but `{}` follows from {}",
+                                              repair.statement, fmt::join(judgement.uses, ", ")),
+                            {},
+                            {"`rigor: law next` says that it is meant as it stands"}}};
+  repair.uses = judgement.uses;
+  judgement.repairs = {std::move(repair)};
+}
+
+}  // namespace
+
+bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  if (may_be_of_another_family(place, claim) || !may_hold_a_slip(place, row)) return false;
+  const bool ordered = has_operators(place.tree, claim.equation.left);
+  const bool some_matrices = why_not_all_matrices(place.tree, place.names, claim.equation).has_value();
+  if (some_matrices && (!ordered || may_commute(place))) return false;
+  // "Solve `\ln x^2 = \ln x`": it says which values are meant.
+  if (row.which == 0 && may_be_an_equation_of_letters(place.tree, claim.equation) &&
+      asks_for_values(beside(place).lead))
+    return false;
+  if (speaks_of_another_curve(place, row, claim)) return false;
+  const WrongStep wrong = as_wrong(place, row);
+  const bool of_a_case = may_be_of_a_case(place, row.parsed);
+  const bool limited = of_a_case && row.which == 0;
+  const bool new_subject = begins_with_a_subject(place, row) || begins_with_a_case(beside(place).lead) ||
+                           is_an_example(place) || speaks_of_an_opposite(place);
+  const bool restricted =
+      judgement.verdict == Verdict::undecided || some_matrices || (limited && new_subject);
+  const Laws here = grounds_for_suspicion(place, available_to(place, row.parsed));
+  const bool solves = judgement.verdict != Verdict::undecided && goes_on_to_a_solution(place, row);
+  const Laws to_be_solved = solves ? here : Laws{};
+  const Laws grounds = restricted ? Laws{} : without_cases(here);
+  const bool may_lack_a_term = is_announced(place, row) && !of_a_case;
+  Names names = as_said_here(place, row);
+  const Grounds above = grounds_of(place, row, claim);
+  for (const PageLaw& law : *above.own) {
+    if (law.by_convention && !law.proves_only)
+      assume(names.scope, {law.equation, Origin{law.name, {}, std::nullopt}, 0});
+  }
+  for (const NamedAssumption& each : sizes_that_matter(place, row, claim)) assume(names.scope, each);
+  auto found = suspicion(place.tree, names,
+                         {wrong, claim, grounds, to_be_solved, may_lack_a_term, restricted, limited},
+                         *place.options.cache);
+  if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
+  if (limited && !found->uses.empty() && repeats_a_row(place, row, found->repair)) return false;
+  if (adds_a_new_rate(place, found->repair) || counts_in_the_plane(place, row) ||
+      holds_with_lines(place, row, claim))
+    return false;
+  suspect(claim, std::move(found->repair), std::move(found->uses), judgement);
+  return true;
+}
+
+namespace {
+
+/// Where no word speaks of a case: of symmetric and commuting things both are true.
+bool excludes_the_other_in_general(Slip slip) {
+  static constexpr std::array slips{Slip::order, Slip::product, Slip::indices_swapped,
+                                    Slip::letters_exchanged};
+  return excludes_the_other(slip) || std::ranges::find(slips, slip) != slips.end();
 }
 
 /// `\sin x = A \; \csc x = B`: what stands between two equality signs can be the end of one equation and the
