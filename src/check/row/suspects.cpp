@@ -137,11 +137,24 @@ WrongStep as_wrong(const RowPlace& place, const StepReading& row) {
           .near = sides_near(place.notes, row.parsed)};
 }
 
+/// `\sin x = A \; \csc x = B`: what stands between two equality signs can be the end of one equation and the
+/// beginning of another.
+bool may_be_two_equations(const StepReading& row) {
+  const auto& sides = row.parsed.written.sides;
+  for (std::size_t k = 1; k + 1 < sides.size(); ++k) {
+    const bool spaced = std::ranges::any_of(sides[k].tokens, [](const Token& token) {
+      return is_control_of(token, {";", " ", "quad", "qquad", "hspace"});
+    });
+    if (spaced && (k == row.which || k == row.which + 1)) return true;
+  }
+  return false;
+}
+
 /// `D(x - y) = D(y - x)` can say that the function D is even, and needs no sign then: not as a product.
 bool may_hold_a_slip(const RowPlace& place, const StepReading& row) {
   return place.options.repairs != Repairs::none && !place.is_stated && row.role == Role::display &&
          !row.unsettled && row.recorded == nullptr && !is_alternative(place, row.parsed) &&
-         row.reading.how().open != OpenBracket::factor;
+         !may_be_two_equations(row) && row.reading.how().open != OpenBracket::factor;
 }
 
 bool may_be_offered(const RowPlace& place, const StepReading& row) {
@@ -525,19 +538,6 @@ bool excludes_the_other_in_general(Slip slip) {
   return excludes_the_other(slip) || std::ranges::find(slips, slip) != slips.end();
 }
 
-/// `\sin x = A \; \csc x = B`: what stands between two equality signs can be the end of one equation and the
-/// beginning of another.
-bool may_be_two_equations(const StepReading& row) {
-  const auto& sides = row.parsed.written.sides;
-  for (std::size_t k = 1; k + 1 < sides.size(); ++k) {
-    const bool spaced = std::ranges::any_of(sides[k].tokens, [](const Token& token) {
-      return is_control_of(token, {";", " ", "quad", "qquad", "hspace"});
-    });
-    if (spaced && (k == row.which || k == row.which + 1)) return true;
-  }
-  return false;
-}
-
 /// Does it rest on what another section says, on a conclusion of which no proof was found, or on what is said
 /// of a case or a moment in another argument?
 bool rests_on_other_ground(const RowPlace& place, const StepReading& row,
@@ -569,7 +569,7 @@ bool is_meant_to_follow(RowPlace& place, const StepReading& row, const Claim& cl
       kind == DiagnosticKind::undecided && has_operators(place.tree, claim.equation.left);
   if (!concludes && !((restricted || of_operators) && excludes)) return false;
   if (may_be_of_another_family(place, claim) || speaks_of_another_curve(place, row, claim) ||
-      speaks_of_an_opposite(place) || repeats_a_row(place, row, near.repair) || may_be_two_equations(row))
+      speaks_of_an_opposite(place) || repeats_a_row(place, row, near.repair))
     return false;
   return !rests_on_other_ground(place, row, near.uses) && rests_on_what_is_said_here(place, row, near.uses) &&
          !adds_a_new_rate(place, near.repair) && !counts_in_the_plane(place, row) &&

@@ -265,9 +265,12 @@ std::vector<Tokens> with_moved_dot(TokenView term) {
 
 Tokens without_layout(TokenView tokens) {
   Tokens result;
+  int tables = 0;  // in which `&` and `\\` stand between entries
   for (const Token& token : trim(tokens)) {
-    const bool layout = token.kind == TokenKind::align || token.kind == TokenKind::paragraph ||
-                        is_control_of(token, {"\\", "nonumber", "notag"});
+    tables += is_control(token, "begin") ? 1 : is_control(token, "end") ? -1 : 0;
+    const bool between = token.kind == TokenKind::align || is_control(token, "\\");
+    const bool layout = (between && tables == 0) || token.kind == TokenKind::paragraph ||
+                        is_control_of(token, {"nonumber", "notag"});
     if (!layout) result.push_back(token);
   }
   return result;
