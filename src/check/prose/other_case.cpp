@@ -2,13 +2,16 @@
 #include "check/prose/other_case.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "base/among.h"
 #include "base/ascii.h"
 #include "check/word/contrary_words.h"
+#include "check/word/prose_words.h"
 
 namespace rigor {
 namespace {
@@ -36,6 +39,24 @@ std::string last_clause(const std::string& lead) {
 }
 
 }  // namespace
+
+bool names_an_opposite_since(const Prose& prose, std::size_t event, std::size_t sentence) {
+  static constexpr auto words = std::to_array<std::string_view>(
+      {"opposite", "oppositely", "reverse", "reverses", "reversed", "backward", "backwards", "down",
+       "downward", "downwards", "contrary", "antiparallel", "clockwise", "counterclockwise", "leftward",
+       "leftwards", "inward", "inwards", "repulsive"});
+  const auto says = [](std::string_view text) {
+    const std::string small = lowered(text);
+    return std::ranges::any_of(words_of(small), [](std::string_view word) { return is_one_of(word, words); });
+  };
+  const ProseBeside& here = prose.beside[event];
+  if (says(last_clause(here.lead)) || says(here.tail)) return true;
+  for (auto each = sentence_at(prose, sentence + 1);
+       each != prose.sentences.end() && each->number < here.sentence; ++each) {
+    if (each->place == here.place && says(each->text)) return true;
+  }
+  return false;
+}
 
 CaseSaid case_said_in(const Prose& prose, std::size_t sentence, const std::string& heading) {
   CaseSaid said{.sentence = sentence, .heading = heading};

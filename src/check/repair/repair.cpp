@@ -527,6 +527,15 @@ std::vector<Repair> repairs_of(std::vector<TrueNeighbour> neighbours) {
   return repairs;
 }
 
+std::string bare_formula(std::string latex) {
+  for (const std::string_view sign : {"\\left", "\\right", "\\,", "\\;", "\\!"}) {
+    for (auto at = latex.find(sign); at != std::string::npos; at = latex.find(sign, at))
+      latex.erase(at, sign.size());
+  }
+  std::erase_if(latex, [](char c) { return c == ' ' || c == '\n' || c == '{' || c == '}'; });
+  return latex;
+}
+
 bool adds_an_unusual_term(const Repair& repair) {
   if (!repair.adds_a_term || !repair.replacement.starts_with(repair.replaced)) return false;
   const std::string_view added = std::string_view(repair.replacement).substr(repair.replaced.size());

@@ -86,6 +86,9 @@ struct TrueNeighbour {
 /// Each with what it rests on.
 [[nodiscard]] std::vector<Repair> repairs_of(std::vector<TrueNeighbour> neighbours);
 
+/// Without blanks, braces and sizes of brackets: to find a statement again that stands on the page.
+[[nodiscard]] std::string bare_formula(std::string latex);
+
 /// `+ 3Ek_0`: nobody forgets a term with such a number.
 [[nodiscard]] bool adds_an_unusual_term(const Repair& repair);
 

@@ -231,6 +231,7 @@ class Suspecting {
       auto uses = is_likely(tree, claim, slip) ? proved(tree, names, claim, slip, sets) : std::nullopt;
       const bool doubtful = uses && (is_limited() || changes_a_letter(slip)) && slip != Slip::factor;
       if (doubtful && may_hold_under_a_usual_condition()) uses.reset();
+      if (uses && chooses_a_root(slip, *uses)) uses.reset();
       return uses;
     };
     ExprTree grown = tree_;
@@ -378,6 +379,12 @@ bool is_of_states(const ExprTree& tree, const Names& names, const Equation& equa
 bool excludes_the_other(Slip slip) {
   static constexpr std::array slips{Slip::sign, Slip::factor, Slip::power, Slip::inverted, Slip::function};
   return std::ranges::find(slips, slip) != slips.end();
+}
+
+bool chooses_a_root(Slip slip, const std::vector<std::string>& uses) {
+  return slip == Slip::sign && std::ranges::any_of(uses, [](const std::string& use) {
+           return use.find("is not negative") != std::string::npos;
+         });
 }
 
 std::optional<Suspicion> suspicion(const ExprTree& tree, const Names& names, const OpenRow& row,

@@ -34,6 +34,8 @@ struct OpenRow {
 /// No pair of true rows differs in it, unless something vanishes, is 1 or equals another thing, and nobody
 /// writes such a row then: words that limit it to a case explain nothing.
 [[nodiscard]] bool excludes_the_other(Slip slip);
+/// `p = -\sqrt{2mE}` of `p^2 = 2mE`: both roots can be meant.
+[[nodiscard]] bool chooses_a_root(Slip slip, const std::vector<std::string>& uses);
 
 /// The nearest statement that is an identity or follows from definitions and from what is given; else one
 /// that follows from laws, of the smallest set that is enough. Nothing for orders and `≈`. It works on

@@ -20,6 +20,7 @@
 #include "check/law/state_facts.h"
 #include "check/place/place.h"
 #include "check/prose/open_words.h"
+#include "check/prose/other_case.h"
 #include "check/question/base_letters.h"
 #include "check/repair/free_constant.h"
 #include "check/repair/missing_condition.h"
@@ -391,6 +392,36 @@ std::optional<Doubt> in_turning_axes(RowPlace& place, const StepReading&, const 
   return about_turning_axes(place, claim);
 }
 
+/// `N = mg - ma` behind "Now the lift goes down. Then", below `N = mg + ma`: with a slip taken back it only
+/// says again what N is, and a sentence between them has words of its own.
+std::optional<Doubt> of_what_is_said_anew(RowPlace& place, const StepReading& row, const Claim& claim) {
+  const ExprNode& left = place.tree[claim.equation.left];
+  const bool alone = left.op == Op::symbol && row.which == 0;
+  const NamedDefinition* said = alone ? definition_of(place.names.scope, left.symbol) : nullptr;
+  if (said == nullptr || said->origin.directive || said->origin.event == place.event || claim.for_all)
+    return std::nullopt;
+  const Prose& prose = place.notes.prose;
+  const std::size_t first = prose.beside[said->origin.event].sentence;
+  const bool between = std::ranges::any_of(prose.sentences, [&](const ProseSentence& each) {
+    return each.number > first && each.number < beside(place).sentence && has_own_words(each.text);
+  });
+  if (!between && !names_an_opposite_since(prose, place.event, first)) return std::nullopt;
+  const WrongStep wrong{.parsed = row.parsed, .which = row.which, .first_order = row.first_order};
+  const auto repairs = likely_repairs(place, wrong);
+  const std::string body = written_at(place, place.tree[said->definition.body].span);
+  const bool again = std::ranges::any_of(repairs, [&](const Repair& each) {
+    return !each.on_left && bare_formula(each.replacement) == bare_formula(body);
+  });
+  if (!again) return std::nullopt;
+  return Doubt{
+      .message = fmt::format("it says anew what `{}` is, and the words since `{}` may speak of another "
+                             "case",
+                             written_at(place, left.span), said->origin.text),
+      .help = {fmt::format("`rigor: use {}` says that the earlier meaning holds",
+                           use_of(place.names, place.tree, left.symbol))},
+      .kind = DiagnosticKind::borrowed};
+}
+
 /// "Then", "hence" behind a row that is not read, or that words restrict: these restrict what is concluded,
 /// too.
 std::optional<Doubt> behind_an_open_row(RowPlace& place, const StepReading&, const Claim& claim) {
@@ -413,11 +444,13 @@ void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
 }
 
 std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row, const Claim& claim) {
-  for (const auto ask :
-       {behind_an_open_row, by_a_constant, in_turning_axes, of_named_elements, of_spins, of_a_basis,
-        of_a_unit_of_the_notes, of_letters_held, of_degrees_alone, of_a_contradiction, with_a_unit_missing,
-        in_natural_units, about_written_zeros, of_a_matrix_and_a_number, of_another_value, among_alternatives,
-        by_a_borrowed_letter, of_special_matrices, for_other_values}) {
+  for (const auto ask : {behind_an_open_row,  of_what_is_said_anew,   by_a_constant,
+                         in_turning_axes,     of_named_elements,      of_spins,
+                         of_a_basis,          of_a_unit_of_the_notes, of_letters_held,
+                         of_degrees_alone,    of_a_contradiction,     with_a_unit_missing,
+                         in_natural_units,    about_written_zeros,    of_a_matrix_and_a_number,
+                         of_another_value,    among_alternatives,     by_a_borrowed_letter,
+                         of_special_matrices, for_other_values}) {
     if (auto doubt = ask(place, row, claim)) return doubt;
   }
   return std::nullopt;

@@ -14,12 +14,14 @@
 
 #include "base/among.h"
 #include "base/ascii.h"
+#include "check/average/average_value.h"
 #include "check/doubt/digits.h"
 #include "check/doubt/equation_of_letters.h"
 #include "check/doubt/special_definitions.h"
 #include "check/law/from_laws.h"
 #include "check/law/from_set.h"
 #include "check/place/place.h"
+#include "check/prose/other_case.h"
 #include "check/prose/restrictions.h"
 #include "check/prose/said_around.h"
 #include "check/question/decision_cache.h"
@@ -135,6 +137,12 @@ WrongStep as_wrong(const RowPlace& place, const StepReading& row) {
           .left = row.which > 0 ? Trust::supported : Trust::unknown,
           .rules = rules_for_like(row.reading.how()),
           .near = sides_near(place.notes, row.parsed)};
+}
+
+bool speaks_of_averages(const ExprTree& tree, const Equation& claim) {
+  return std::ranges::any_of(std::array{claim.left, claim.right}, [&](ExprId side) {
+    return std::ranges::any_of(symbols_in(tree, side), [&](SymbolId each) { return is_average(tree, each); });
+  });
 }
 
 /// `\sin x = A \; \csc x = B`: what stands between two equality signs can be the end of one equation and the
@@ -409,7 +417,9 @@ bool speaks_of_another_curve(const RowPlace& place, const StepReading& row, cons
 /// Do words of the section say that matrices or operators may be multiplied in any order?
 bool may_commute(const RowPlace& place) {
   static constexpr auto words = std::to_array<std::string_view>(
-      {"commut", "diagonal", "scalar", "abelian", "simultaneous", "polynomial", "same axis", "numbers"});
+      {"commut", "diagonal", "scalar", "abelian", "simultaneous", "polynomial", "axis", "numbers",
+       "eigenvectors", "share", "together", "compatible", "act on", "acts on", "different", "multiple of",
+       "independent", "spaces", "factors"});
   const ProseBeside& here = beside(place);
   const auto says = [](const std::string& text) {
     return std::ranges::any_of(words,
@@ -425,47 +435,98 @@ bool may_commute(const RowPlace& place) {
 
 namespace {
 
-/// Without blanks, braces and sizes of brackets.
-std::string bare(std::string text) {
-  for (const std::string_view sign : {"\\left", "\\right", "\\,", "\\;", "\\!"}) {
-    for (auto at = text.find(sign); at != std::string::npos; at = text.find(sign, at))
-      text.erase(at, sign.size());
-  }
-  std::erase_if(text, [](char c) { return c == ' ' || c == '\n' || c == '{' || c == '}'; });
-  return text;
-}
-
 /// "Moving down, `N = mg - ma`" below `N = mg + ma` of one that moves up.
 bool repeats_a_row(const RowPlace& place, const StepReading& row, const Repair& repair) {
-  const std::string said = bare(repair.statement);
+  const std::string said = bare_formula(repair.statement);
   const auto is_it = [&](ExprId left, ExprId right) {
-    const auto text = [&](ExprId side) { return bare(written_at(place, place.tree[side].span)); };
+    const auto text = [&](ExprId side) { return bare_formula(written_at(place, place.tree[side].span)); };
     return said == text(left) + "=" + text(right) || said == text(right) + "=" + text(left);
   };
   return std::ranges::any_of(
              available_to(place, row.parsed),
              [&](const PageLaw* law) { return is_it(law->equation.left, law->equation.right); }) ||
          std::ranges::any_of(place.names.scope.definitions, [&](const NamedDefinition& named) {
-           return said.ends_with("=" + bare(written_at(place, place.tree[named.definition.body].span)));
+           return said.ends_with("=" +
+                                 bare_formula(written_at(place, place.tree[named.definition.body].span)));
          });
 }
 
-/// "In the other direction", "with the opposite convention"
+/// "It moves the other way. Hence": in its sentence or in the one before.
 bool speaks_of_an_opposite(const RowPlace& place) {
-  static constexpr auto words = std::to_array<std::string_view>(
-      {"opposite",     "reverse",       "reversed",   "backwards",   "downward", "downwards", "down",
-       "other",        "instead",       "convention", "conventions", "contrary", "wrong",     "negative",
-       "antiparallel", "leftward",      "left",       "inward",      "inwards",  "clockwise", "second",
-       "another",      "alternatively", "not",        "no",          "never"});
-  const ProseBeside& here = beside(place);
-  for (const std::string_view text :
-       {std::string_view(here.lead).substr(here.lead.rfind('\n') + 1), std::string_view(here.tail)}) {
-    const std::string lowered_text = lowered(text);
-    if (std::ranges::any_of(words_of(lowered_text),
-                            [](std::string_view word) { return is_one_of(word, words); }))
-      return true;
-  }
-  return false;
+  const std::size_t sentence = beside(place).sentence;
+  return names_an_opposite_since(place.notes.prose, place.event, sentence > 1 ? sentence - 2 : 0);
+}
+
+/// "With two such coils", "The beam that is clamped has therefore", "Electrons": the words before the row,
+/// since the last display, begin with what they speak of, and not with "hence", "it" or "this".
+bool brings_in_a_subject(const RowPlace& place) {
+  static constexpr auto plain = std::to_array<std::string_view>({"hence",
+                                                                 "thus",
+                                                                 "so",
+                                                                 "therefore",
+                                                                 "and",
+                                                                 "it",
+                                                                 "this",
+                                                                 "that",
+                                                                 "these",
+                                                                 "they",
+                                                                 "we",
+                                                                 "which",
+                                                                 "consequently",
+                                                                 "whence",
+                                                                 "then",
+                                                                 "from",
+                                                                 "by",
+                                                                 "using",
+                                                                 "inserting",
+                                                                 "substituting",
+                                                                 "its",
+                                                                 "is",
+                                                                 "is,",
+                                                                 "i.e",
+                                                                 "or",
+                                                                 "to",
+                                                                 "finally",
+                                                                 "now",
+                                                                 "putting",
+                                                                 "combining",
+                                                                 "differentiating",
+                                                                 "integrating",
+                                                                 "solving",
+                                                                 "eliminating",
+                                                                 "dividing",
+                                                                 "multiplying",
+                                                                 "taking",
+                                                                 "our",
+                                                                 "one",
+                                                                 "because",
+                                                                 "since",
+                                                                 "together",
+                                                                 "being",
+                                                                 "their",
+                                                                 "here",
+                                                                 "with"});
+  const std::string& lead = beside(place).lead;
+  const std::string clause = lowered(lead.substr(lead.rfind('\n') + 1));
+  const std::vector<std::string_view> words = words_of(clause);
+  if (words.empty()) return false;
+  if (words.front() == "with") return words.size() < 2 || words[1] != "$";
+  return !is_one_of(words.front(), plain);
+}
+
+/// A case can make `\frac{a - b}{a + b}` equal to -1, and `\frac{-a - b}{a + b}` always is.
+bool simplifies_a_fraction(const ExprTree& tree, const Equation& claim) {
+  const auto is_simple = [&](ExprId side) {
+    return std::ranges::none_of(nodes_below(tree, {side}),
+                                [&](ExprId id) { return tree[id].op == Op::divide; });
+  };
+  const auto divides_by_a_sum = [&](ExprId side) {
+    return std::ranges::any_of(nodes_below(tree, {side}), [&](ExprId id) {
+      return tree[id].op == Op::divide && tree[tree.children(id)[1]].op == Op::add;
+    });
+  };
+  return (is_simple(claim.left) && divides_by_a_sum(claim.right)) ||
+         (is_simple(claim.right) && divides_by_a_sum(claim.left));
 }
 
 void suspect(const Claim& claim, Repair repair, std::vector<std::string> uses, Judgement& judgement) {
@@ -501,10 +562,10 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   const WrongStep wrong = as_wrong(place, row);
   const bool of_a_case = may_be_of_a_case(place, row.parsed);
   const bool limited = of_a_case && row.which == 0;
-  const bool new_subject = begins_with_a_subject(place, row) || begins_with_a_case(beside(place).lead) ||
-                           is_an_example(place) || speaks_of_an_opposite(place);
-  const bool restricted =
-      judgement.verdict == Verdict::undecided || some_matrices || (limited && new_subject);
+  const bool new_subject =
+      begins_with_a_subject(place, row) || brings_in_a_subject(place) || is_an_example(place);
+  const bool restricted = judgement.verdict == Verdict::undecided || some_matrices ||
+                          speaks_of_an_opposite(place) || (limited && new_subject);
   const Laws here = grounds_for_suspicion(place, available_to(place, row.parsed));
   const bool solves = judgement.verdict != Verdict::undecided && goes_on_to_a_solution(place, row);
   const Laws to_be_solved = solves ? here : Laws{};
@@ -521,7 +582,9 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
                          {wrong, claim, grounds, to_be_solved, may_lack_a_term, restricted, limited},
                          *place.options.cache);
   if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
-  if (limited && !found->uses.empty() && repeats_a_row(place, row, found->repair)) return false;
+  const bool rests_on_rows = !found->uses.empty();
+  if (rests_on_rows && limited && repeats_a_row(place, row, found->repair)) return false;
+  if (!rests_on_rows && limited && simplifies_a_fraction(place.tree, claim.equation)) return false;
   if (adds_a_new_rate(place, found->repair) || counts_in_the_plane(place, row) ||
       holds_with_lines(place, row, claim))
     return false;
@@ -559,17 +622,25 @@ bool is_meant_to_follow(RowPlace& place, const StepReading& row, const Claim& cl
   if (judgement.verdict != Verdict::undecided || judgement.diagnostics.empty() || claim.nearly ||
       claim.equation.relation != Relation::equal || shows_digits(place.tree, place.names, claim))
     return false;
+  if (chooses_a_root(near.slip, near.uses)) return false;
   const DiagnosticKind kind = judgement.diagnostics.back().kind;
   const bool excludes = excludes_the_other(near.slip);
   const bool concludes =
       kind == DiagnosticKind::follows_from_nothing && is_announced(place, row) &&
       (excludes || (excludes_the_other_in_general(near.slip) && !may_be_of_a_case(place, row.parsed)));
-  const bool restricted = kind == DiagnosticKind::restricted || kind == DiagnosticKind::borrowed;
+  const auto has_letters = [&](ExprId side) { return !symbols_in(place.tree, side).empty(); };
+  const bool restricted = (kind == DiagnosticKind::restricted || kind == DiagnosticKind::borrowed) &&
+                          has_letters(claim.equation.left) && has_letters(claim.equation.right);
   const bool of_operators =
       kind == DiagnosticKind::undecided && has_operators(place.tree, claim.equation.left);
   if (!concludes && !((restricted || of_operators) && excludes)) return false;
   if (may_be_of_another_family(place, claim) || speaks_of_another_curve(place, row, claim) ||
       speaks_of_an_opposite(place) || repeats_a_row(place, row, near.repair))
+    return false;
+  if (!near.uses.empty() && (begins_with_a_case(beside(place).lead) || brings_in_a_subject(place)))
+    return false;
+  if (near.uses.empty() &&
+      (speaks_of_averages(place.tree, claim.equation) || simplifies_a_fraction(place.tree, claim.equation)))
     return false;
   return !rests_on_other_ground(place, row, near.uses) && rests_on_what_is_said_here(place, row, near.uses) &&
          !adds_a_new_rate(place, near.repair) && !counts_in_the_plane(place, row) &&

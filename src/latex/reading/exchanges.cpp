@@ -383,8 +383,7 @@ class Exchanger {
   }
 
   void dot_and_prime(const PlacedLetter& letter, TokenView whole) {
-    static constexpr std::array<std::string_view, 4> numbers{"i", "j", "e", "\\pi"};  // that never change
-    if (whole.size() == 1 && is_one_of(letter_of(whole[0]), numbers)) return;
+    if (never_changes(whole)) return;
     if (is_sign_at(side_, letter.end, "'")) {
       add(Slip::prime, letter.end, letter.end + 1, {}, whole);
       return;

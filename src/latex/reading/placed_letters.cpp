@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/among.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -40,6 +41,11 @@ std::vector<PlacedLetter> letters_in(TokenView side) {
     }
   }
   return letters;
+}
+
+bool never_changes(TokenView letter) {
+  if (!letter.empty() && is_control_of(letter[0], {"mathrm", "text", "operatorname"})) return true;
+  return letter.size() == 1 && is_one_of(letter_of(letter[0]), {"i", "j", "e", "\\pi"});
 }
 
 std::vector<PieceLevel> levels_with_exponents(TokenView side) {

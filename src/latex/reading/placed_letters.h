@@ -23,6 +23,9 @@ struct PlacedLetter {
 /// In their order. Not those of subscripts, words and differentials.
 [[nodiscard]] std::vector<PlacedLetter> letters_in(TokenView side);
 
+/// `i`, `e`, `\pi`, `\mathrm{i}`: a number as a rule, which takes no dot and no prime.
+[[nodiscard]] bool never_changes(TokenView letter);
+
 /// The levels of the side, then those of its exponents.
 [[nodiscard]] std::vector<PieceLevel> levels_with_exponents(TokenView side);
 

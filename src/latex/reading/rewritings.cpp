@@ -172,6 +172,7 @@ class Rewriter {
     const std::size_t letter = end_of_letter(tokens);
     if (letter == 0) return;
     const TokenView base = tokens.first(letter);
+    if (never_changes(base)) return;
     Tokens dotted{made(TokenKind::control, "dot", tokens), made(TokenKind::begin_group, "{", tokens)};
     dotted.insert(dotted.end(), base.begin(), base.end());
     dotted.push_back(made(TokenKind::end_group, "}", tokens));
