@@ -10,6 +10,7 @@
 #include "algebra/engine/budget.h"
 #include "algebra/engine/undecidable.h"
 #include "algebra/words/matrix_parts.h"
+#include "algebra/words/state_words.h"
 #include "algebra/words/word_reader.h"
 #include "algebra/words/word_rules.h"
 
@@ -38,6 +39,7 @@ struct OwnQuestion {
   std::unique_ptr<ExprTree> tree;
   Question question;
   CommutingParts parts;
+  LawsOfStates laws_of_states;
 };
 
 /// Calls `visit` with left − right for all values of the free indices, component by component.
@@ -143,11 +145,52 @@ void add_determinants(const WordSum& zero, std::size_t which, const WordReader& 
   }
 }
 
+/// As a rule for words where it can be one, else as a law of numbers.
+void add_law_of_states(OwnQuestion& own, const WordSum& zero, std::size_t which, const WordReader& reader,
+                       WordRules& rules, NumberLaws* numbers) {
+  own.laws_of_states.emplace_back(zero, which);
+  rules.see_numbers(own.parts);
+  try {
+    add_law(zero, {which}, reader, own, rules);
+  } catch (const Contradiction&) {
+    throw;
+  } catch (const Undecidable&) {
+    Positions used;
+    const WordSum outside = with_brackets_out(zero, own.parts, nullptr, used);
+    const bool number = outside.size() == 1 && outside.begin()->first.empty();
+    if (!number || numbers == nullptr) throw;
+    const Span span = (*own.tree)[own.question.claim.left].span;
+    numbers->emplace_back(as_expression(outside.begin()->second, own.parts, span), which);
+  }
+}
+
+/// A law for `|n\rangle` is one for `|n + 1\rangle` and `|0\rangle`, where these are asked about.
+void add_laws_of_other_states(OwnQuestion& own, WordReader& reader, WordRules& rules) {
+  if (own.laws_of_states.empty()) return;
+  const auto read = [&](ExprId id) { return reader.read(id, {}).front(); };
+  const Question& asked = own.question;
+  std::vector<ExprId> roots{asked.claim.left, asked.claim.right};
+  for (const Definition& each : asked.definitions) roots.push_back(each.body);
+  for (const auto& [zero, which] : laws_of_other_states(own.laws_of_states, roots, own.parts, read)) {
+    try {
+      add_law(zero, {which}, reader, own, rules);
+    } catch (const Contradiction&) {
+      throw;
+    } catch (const Undecidable&) {
+      return;
+    }
+  }
+}
+
 void add_rule(OwnQuestion& own, WordReader& reader, std::size_t which, WordRules& rules,
               NumberLaws* numbers) {
   reader.read_laws(true);
   for_each_difference(own, reader, own.question.assumptions[which], [&](const WordSum& difference) {
     WordSum zero = with_numbers_out(difference, own.parts);
+    if (holds_kets(zero, *own.tree)) {
+      add_law_of_states(own, zero, which, reader, rules, numbers);
+      return;
+    }
     const bool number = zero.size() == 1 && zero.begin()->first.empty();
     if (number && numbers != nullptr) {
       const Span span = (*own.tree)[own.question.claim.left].span;
@@ -162,6 +205,7 @@ void add_rule(OwnQuestion& own, WordReader& reader, std::size_t which, WordRules
 
 void add_rules(OwnQuestion& own, WordReader& reader, const Positions& assumptions, WordRules& rules) {
   for (const std::size_t which : assumptions) add_rule(own, reader, which, rules, nullptr);
+  add_laws_of_other_states(own, reader, rules);
 }
 
 /// Without those that are no rules, such as `e^{i\hat p}\hat x = …`: fewer laws prove less.
@@ -175,6 +219,7 @@ void add_rules_that_can_be_read(OwnQuestion& own, WordReader& reader, const Posi
     } catch (const Undecidable&) {
     }
   }
+  add_laws_of_other_states(own, reader, rules);
 }
 
 /// What was added before it did not end follows from the laws all the same.
@@ -187,8 +232,10 @@ void complete_as_far_as_possible(WordRules& rules) {
   }
 }
 
-/// So that nothing contradicts: to the end, or with letters of which nothing is said made to commute.
-void complete_to_the_end(WordRules& rules) {
+/// So that nothing contradicts: to the end, or with letters of which nothing is said made to commute. Laws of
+/// states lead to further ones for each n; that none of the first contradicts is all that is asked.
+void complete_to_the_end(const OwnQuestion& own, WordRules& rules) {
+  if (!own.laws_of_states.empty()) return complete_as_far_as_possible(rules);
   static_cast<void>(rules.commute_the_rest());
   rules.complete();
 }
@@ -204,7 +251,12 @@ void complete_to_the_end(WordRules& rules) {
   reader.reduce_by(&rules);
   std::vector<WordSum> all;
   for_each_difference(own, reader, equation, [&](WordSum difference) {
-    all.push_back(with_numbers_out(rules.reduce(std::move(difference), used), own.parts));
+    WordSum normal = with_numbers_out(rules.reduce(std::move(difference), used), own.parts);
+    if (holds_kets(normal, *own.tree)) {
+      normal = with_brackets_out(normal, own.parts, &rules, used);
+      normal = with_brackets_out(rules.reduce(std::move(normal), used), own.parts, &rules, used);
+    }
+    all.push_back(std::move(normal));
   });
   reader.reduce_by(nullptr);
   used.insert(reader.used().begin(), reader.used().end());
@@ -450,7 +502,7 @@ bool operators_can_satisfy(const Question& question, const Limits& limits, Quest
       WordReader reader(own.question, own.parts, unfolding, *limits.budget);
       WordRules rules(*limits.budget);
       add_rules(own, reader, sorted.of_operators, rules);
-      complete_to_the_end(rules);
+      complete_to_the_end(own, rules);
       bool can = true;
       for (const Equation& each : own.question.assumptions) {
         if (each.relation == Relation::equal || !speaks_of_operators(own.question, each)) continue;

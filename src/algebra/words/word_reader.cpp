@@ -11,6 +11,7 @@
 
 #include "algebra/engine/undecidable.h"
 #include "algebra/words/matrix_parts.h"
+#include "algebra/words/state_words.h"
 #include "expr/tree/unsized.h"
 
 namespace rigor {
@@ -163,11 +164,12 @@ std::vector<WordSum> WordReader::read(ExprId id, const AxesOfIndices& axes) {
 std::optional<WordSum> WordReader::function_of_numbers(ExprId id, const AxesOfIndices& axes) {
   const ExprNode node = tree()[id];
   const bool fits =
-      node.op == Op::root || node.op == Op::function || node.op == Op::absolute || node.op == Op::real_power;
+      node.op == Op::root || node.op == Op::function || node.op == Op::absolute ||
+      node.op == Op::real_power || node.op == Op::real_part || node.op == Op::imaginary_part;
   if (!fits) return std::nullopt;
   std::vector<ExprId> children;
   for (const ExprId child : std::vector<ExprId>(tree().children(id).begin(), tree().children(id).end())) {
-    const WordSum inside = with_numbers_out(reduced(read_scalar(child, axes)), parts_);
+    const WordSum inside = with_all_numbers_out(reduced(read_scalar(child, axes)));
     if (inside.size() > 1 || (inside.size() == 1 && !inside.begin()->first.empty())) return std::nullopt;
     children.push_back(
         as_expression(inside.empty() ? Coefficient{} : inside.begin()->second, parts_, node.span));
@@ -393,7 +395,7 @@ WordSum WordReader::quotient(ExprId id, const AxesOfIndices& axes) {
     if (!reciprocal.empty()) return scalar(reciprocal);
   }
   if (!reaches_operators(id)) return scalar(power_of_part(parts_.number_of(at_axes(id, axes)), -1));
-  return inverse_of(with_numbers_out(reduced(std::move(below)), parts_));
+  return inverse_of(with_all_numbers_out(reduced(std::move(below))));
 }
 
 /// The inverse of a product is that of its factors in the other order, if these have one.
@@ -511,6 +513,10 @@ bool WordReader::knows_something() {
 
 WordSum WordReader::reduced(WordSum sum) {
   return rules_ == nullptr ? sum : rules_->reduce(std::move(sum), used_);
+}
+
+WordSum WordReader::with_all_numbers_out(const WordSum& sum) {
+  return with_brackets_out(with_numbers_out(sum, parts_), parts_, rules_, used_);
 }
 
 std::uint8_t WordReader::axis_of(const Slot& slot, const AxesOfIndices& axes) const {

@@ -76,6 +76,7 @@ class WordReader {
   [[nodiscard]] bool is_annihilated(SymbolId letter) const;
   [[nodiscard]] bool knows_something();
   [[nodiscard]] WordSum reduced(WordSum sum);
+  [[nodiscard]] WordSum with_all_numbers_out(const WordSum& sum);
   [[nodiscard]] Coefficient trace(const WordSum& of, std::optional<ExprId> rows);
   [[nodiscard]] std::optional<ExprId> squared(ExprId id);
   [[nodiscard]] WordSum dot(ExprId left, ExprId right, const AxesOfIndices& axes);
