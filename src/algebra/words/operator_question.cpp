@@ -13,6 +13,7 @@
 #include "algebra/words/state_words.h"
 #include "algebra/words/word_reader.h"
 #include "algebra/words/word_rules.h"
+#include "expr/tree/state.h"
 
 namespace rigor {
 namespace {
@@ -549,6 +550,25 @@ bool differs_in_several_degrees(const Question& question) {
   }
 }
 
+namespace {
+
+/// One state with one term before it that is not 0: `|n\rangle`, or a number that is none of states. Kets are
+/// taken not to be 0.
+bool is_plainly_not_zero(const WordSum& sum, const CommutingParts& parts) {
+  if (sum.size() != 1 || sum.begin()->first.size() > 1 || sum.begin()->second.size() != 1) return false;
+  const auto& [word, coefficient] = *sum.begin();
+  const SymbolTable& symbols = parts.tree().symbols;
+  if (!word.empty() && !symbols[word[0].symbol].ket) return false;
+  return std::ranges::none_of(coefficient.begin()->first, [&](const auto& each) {
+    const auto letters = symbols_in(parts.tree(), parts.part(each.first));
+    return std::ranges::any_of(letters, [&](SymbolId letter) {
+      return symbols[letter].name.starts_with('#') || !symbols[letter].label.empty();
+    });
+  });
+}
+
+}  // namespace
+
 bool operators_deny(const Question& question, const Limits& limits) {
   if (question.claim.relation != Relation::equal || !is_about_operators(question)) return false;
   try {
@@ -558,6 +578,13 @@ bool operators_deny(const Question& question, const Limits& limits) {
     WordReader reader(own.question, own.parts, Unfolding::all, *limits.budget);
     WordRules rules(*limits.budget);
     add_rules(own, reader, sorted.of_operators, rules);
+    const Equation& claim = own.question.claim;
+    if (holds_states(*own.tree, claim.left) || holds_states(*own.tree, claim.right)) {
+      complete_as_far_as_possible(rules);
+      Positions used;
+      const std::vector<WordSum> left = normal_differences(own, reader, own.question.claim, rules, used);
+      return left.size() == 1 && is_plainly_not_zero(left[0], own.parts);
+    }
     rules.complete();
     bool denies = false;
     for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {

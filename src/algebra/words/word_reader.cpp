@@ -476,6 +476,7 @@ WordSum WordReader::inverse_letter(const WordSum& below) {
 /// A rule can fit to a rotation of a word: of `tr BA` where AB = 0.
 Coefficient WordReader::trace(const WordSum& of, std::optional<ExprId> rows) {
   constexpr int most_rounds = 12;
+  if (holds_kets(of, tree())) return trace_of_states(of);
   WordSum sum = reduced(of);
   for (int round = 0; rules_ != nullptr && round < most_rounds; ++round) {
     const auto turned = rules_->reduce_rotations(sum, used_);
@@ -483,6 +484,25 @@ Coefficient WordReader::trace(const WordSum& of, std::optional<ExprId> rows) {
     sum = *turned;
   }
   return trace_of(sum, rows, parts_);
+}
+
+/// tr A|a⟩⟨b| = ⟨b|A|a⟩
+Coefficient WordReader::trace_of_states(const WordSum& of) {
+  WordSum numbers;
+  for (const auto& [whole, coefficient] : of) {
+    Word word = whole;
+    const auto bra = std::ranges::find_if(word, [&](const Letter& letter) {
+      return letter.adjoint && tree().symbols[letter.symbol].ket;
+    });
+    if (bra == word.end()) throw Undecidable("the trace of an operator without states is not decided");
+    std::rotate(word.begin(), bra, word.end());
+    add_to(numbers, WordSum{{std::move(word), coefficient}});
+  }
+  numbers = with_all_numbers_out(reduced(std::move(numbers)));
+  if (numbers.empty()) return {};
+  if (numbers.size() != 1 || !numbers.begin()->first.empty())
+    throw Undecidable("the trace of what is no operator is not decided");
+  return numbers.begin()->second;
 }
 
 /// `a^Tb`, `\det A`: a number that matrices of any size make.

@@ -24,6 +24,7 @@
 #include "check/word/prose_words.h"
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/name/function_value.h"
+#include "expr/tree/state.h"
 
 namespace rigor {
 namespace {
@@ -152,6 +153,7 @@ Factors factors_of_term(const ExprTree& tree, ExprId term) {
 /// `H\psi = E\psi`, `Pu = Pv`: who does not cancel what ends the terms, or a capital that begins them, does
 /// not mean a product of numbers. `mg = ma`, `mv^2/r = GMm/r^2` and `Mv^2 = Mgh` are some.
 bool keeps_an_operator(const RowPlace& place, const Equation& equation) {
+  if (holds_states(place.tree, equation.left) || holds_states(place.tree, equation.right)) return false;
   std::vector<Factors> terms;
   for (const ExprId side : {equation.left, equation.right}) {
     for (const SignedTerm& term : signed_terms(place.tree, side))

@@ -279,8 +279,9 @@ void see_product_of_states(const SyntaxTree& syntax, SyntaxId term, bool leads, 
   }
 }
 
-/// What kets and bras show: letters that act on them, amplitudes, and letters that number them.
-void see_states(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+/// What kets and bras show: letters that act on them, amplitudes, and letters that number them. Are there
+/// some that make no operator?
+bool see_states(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
   bool any = false;
   for (const SyntaxId id : nodes_below(syntax, sides)) {
     if (!is_state(syntax, id, "ket") && !is_state(syntax, id, "bra")) continue;
@@ -289,7 +290,7 @@ void see_states(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Ev
       if (numbers_states(part)) evidence.state_labels.insert(part.letter);
     }
   }
-  if (!any) return;
+  if (!any) return false;
   evidence.states = true;
   evidence.operators = true;
   evidence.speaks_of_operators = true;
@@ -298,17 +299,17 @@ void see_states(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Ev
   }
   const bool makes_operator = std::ranges::any_of(
       sides, [&](SyntaxId side) { return shape_of_states(syntax, side) == WrittenShape::operators; });
-  if (!makes_operator) return;
+  if (!makes_operator) return true;
   for (const SyntaxId side : sides) {
     const WrittenSymbol* letter = letter_of_factor(syntax, side);
     if (letter != nullptr && !is_constant_of_nature(*letter)) add_letter(*letter, evidence);
   }
+  return false;
 }
 
 }  // namespace
 
 void see_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
-  see_states(syntax, sides, evidence);
   for (const SyntaxId id : nodes_below(syntax, sides)) {
     if (is_adjoint(syntax, id)) {
       add_letters(syntax, syntax.child(id, 0), true, evidence);
@@ -317,8 +318,9 @@ void see_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
     if (!is_pair_in_brackets(syntax[id])) continue;
     for (const SyntaxChild& child : syntax.children(id)) add_letters(syntax, child.id, true, evidence);
   }
+  const bool of_numbers = see_states(syntax, sides, evidence);
   for (const SyntaxId side : sides) {
-    if (syntax[side].kind != SyntaxKind::symbol || is_constant_of_nature(syntax.symbol(side))) continue;
+    if (of_numbers || syntax[side].kind != SyntaxKind::symbol || is_constant_of_nature(syntax.symbol(side))) continue;
     const WrittenSymbol& symbol = syntax.symbol(side);
     if (symbol.face != Face::plain) continue;
     std::set<std::string>& names = evidence.set_equal[with_labels(letter_with_marks(symbol), symbol.lower)];

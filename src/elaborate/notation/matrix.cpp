@@ -327,6 +327,10 @@ MaybeTyped trace_or_determinant(Reading& reading, SyntaxId id, bool trace, const
     if (const auto rows = rows_of_unsized(reading, inside->id, span)) operands.push_back(*rows);
     return apply_op(reading.tree, trace ? Op::trace : Op::matrix_determinant, span, 0, operands);
   }
+  const bool states = reading.names.symbols.evidence->states && inside->rank == 0 &&
+                      inside->layout == Layout::none && has_operators(reading.tree, inside->id);
+  if (trace && states && state_shape(reading.tree, inside->id) == StateShape::operators)
+    return apply_op(reading.tree, Op::trace, span, 0, {*inside});
   if (!trace) return determinant_of(reading, id, *inside, span, around);
   if (is_triple(*inside))
     return of_each_member(reading, *inside, span,

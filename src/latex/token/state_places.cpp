@@ -12,6 +12,11 @@ bool is_any_bar(const Token& token) {
   return is_state_bar(token) || is_control_of(token, {"lvert", "rvert", "lVert", "rVert", "|", "Vert"});
 }
 
+std::size_t skip_spaces(TokenView tokens, std::size_t at) {
+  while (at < tokens.size() && (is_blank(tokens[at]) || is_spacing(tokens[at]))) ++at;
+  return at;
+}
+
 }  // namespace
 
 StateAngles state_angles(TokenView tokens, std::size_t open) {
@@ -29,6 +34,12 @@ StateAngles state_angles(TokenView tokens, std::size_t open) {
   }
   const bool at_once = !found.bars.empty() && found.bars[0] == skip_blank(tokens, open + 1);
   if (at_once) found.bars.clear();
+  if (found.close < tokens.size() && found.bars.size() > 1) {  // `|0\rangle\langle 1| + |1\rangle\langle 0|`
+    const TokenView middle = trim(tokens.subspan(found.bars[0] + 1, found.bars.back() - found.bars[0] - 1));
+    const bool goes_on = is_control_at(tokens, skip_spaces(tokens, found.close + 1), "langle");
+    const bool sum = !middle.empty() && (is_sum_sign(middle.back()) || (is_sum_sign(middle.front()) && goes_on));
+    if (sum) found.close = tokens.size();
+  }
   if (found.close == tokens.size() && found.bars.size() > 1) found.bars.resize(1);
   return found;
 }
