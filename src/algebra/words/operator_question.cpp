@@ -41,6 +41,7 @@ struct OwnQuestion {
   Question question;
   CommutingParts parts;
   LawsOfStates laws_of_states;
+  LawsOfStates open_laws_of_states;  // that are no rules yet
 };
 
 /// Calls `visit` with left − right for all values of the free indices, component by component.
@@ -146,23 +147,33 @@ void add_determinants(const WordSum& zero, std::size_t which, const WordReader& 
   }
 }
 
-/// As a rule for words where it can be one, else as a law of numbers.
-void add_law_of_states(OwnQuestion& own, const WordSum& zero, std::size_t which, const WordReader& reader,
-                       WordRules& rules, NumberLaws* numbers) {
-  own.laws_of_states.emplace_back(zero, which);
-  rules.see_numbers(own.parts);
+/// False: it is no rule yet.
+[[nodiscard]] bool becomes_rule(OwnQuestion& own, const WordSum& zero, std::size_t which,
+                                const WordReader& reader, WordRules& rules) {
   try {
     add_law(zero, {which}, reader, own, rules);
+    return true;
   } catch (const Contradiction&) {
     throw;
   } catch (const Undecidable&) {
+    return false;
+  }
+}
+
+/// What could be no rule, when the others are there; else as a law of numbers.
+void add_open_laws_of_states(OwnQuestion& own, const WordReader& reader, WordRules& rules,
+                             NumberLaws* numbers) {
+  for (const auto& [zero, which] : own.open_laws_of_states) {
+    if (becomes_rule(own, zero, which, reader, rules)) continue;
     Positions used;
     const WordSum outside = with_brackets_out(zero, own.parts, nullptr, used);
     const bool number = outside.size() == 1 && outside.begin()->first.empty();
-    if (!number || numbers == nullptr) throw;
+    if (!number && numbers == nullptr) throw Undecidable("a law for its states has a factor that may be zero");
+    if (!number || numbers == nullptr) continue;
     const Span span = (*own.tree)[own.question.claim.left].span;
     numbers->emplace_back(as_expression(outside.begin()->second, own.parts, span), which);
   }
+  own.open_laws_of_states.clear();
 }
 
 /// A law for `|n\rangle` is one for `|n + 1\rangle` and `|0\rangle`, where these are asked about.
@@ -189,7 +200,9 @@ void add_rule(OwnQuestion& own, WordReader& reader, std::size_t which, WordRules
   for_each_difference(own, reader, own.question.assumptions[which], [&](const WordSum& difference) {
     WordSum zero = with_numbers_out(difference, own.parts);
     if (holds_kets(zero, *own.tree)) {
-      add_law_of_states(own, zero, which, reader, rules, numbers);
+      own.laws_of_states.emplace_back(zero, which);
+      rules.see_numbers(own.parts);
+      if (!becomes_rule(own, zero, which, reader, rules)) own.open_laws_of_states.emplace_back(zero, which);
       return;
     }
     const bool number = zero.size() == 1 && zero.begin()->first.empty();
@@ -207,6 +220,7 @@ void add_rule(OwnQuestion& own, WordReader& reader, std::size_t which, WordRules
 void add_rules(OwnQuestion& own, WordReader& reader, const Positions& assumptions, WordRules& rules) {
   for (const std::size_t which : assumptions) add_rule(own, reader, which, rules, nullptr);
   add_laws_of_other_states(own, reader, rules);
+  add_open_laws_of_states(own, reader, rules, nullptr);
 }
 
 /// Without those that are no rules, such as `e^{i\hat p}\hat x = …`: fewer laws prove less.
@@ -221,10 +235,14 @@ void add_rules_that_can_be_read(OwnQuestion& own, WordReader& reader, const Posi
     }
   }
   add_laws_of_other_states(own, reader, rules);
+  add_open_laws_of_states(own, reader, rules, &numbers);
 }
 
-/// What was added before it did not end follows from the laws all the same.
-void complete_as_far_as_possible(WordRules& rules) {
+/// What was added before it did not end follows from the laws all the same. Laws for many numbers of states
+/// lead to ever more of them.
+void complete_as_far_as_possible(const OwnQuestion& own, WordRules& rules) {
+  constexpr std::size_t many = 24;
+  if (!own.laws_of_states.empty() && rules.rules().size() > many) return;
   try {
     rules.complete();
   } catch (const Contradiction&) {
@@ -236,7 +254,7 @@ void complete_as_far_as_possible(WordRules& rules) {
 /// So that nothing contradicts: to the end, or with letters of which nothing is said made to commute. Laws of
 /// states lead to further ones for each n; that none of the first contradicts is all that is asked.
 void complete_to_the_end(const OwnQuestion& own, WordRules& rules) {
-  if (!own.laws_of_states.empty()) return complete_as_far_as_possible(rules);
+  if (!own.laws_of_states.empty()) return complete_as_far_as_possible(own, rules);
   static_cast<void>(rules.commute_the_rest());
   rules.complete();
 }
@@ -248,7 +266,7 @@ void complete_to_the_end(const OwnQuestion& own, WordRules& rules) {
   reader.read_laws(false);
   for_each_difference(own, reader, equation, [](const WordSum&) {});
   for (const WordSum& inverse : reader.inverses()) add_law(inverse, {}, reader, own, rules);
-  if (!reader.inverses().empty()) complete_as_far_as_possible(rules);
+  if (!reader.inverses().empty()) complete_as_far_as_possible(own, rules);
   reader.reduce_by(&rules);
   std::vector<WordSum> all;
   for_each_difference(own, reader, equation, [&](WordSum difference) {
@@ -320,7 +338,7 @@ class WordAttempt {
     numbers_.clear();
     if (by_laws) {
       add_rules_that_can_be_read(own_, reader, sorted_.of_operators, rules, numbers_);
-      complete_as_far_as_possible(rules);
+      complete_as_far_as_possible(own_, rules);
     }
     if (!by_laws && reader.has_traces()) see_laws_of_traces(own_, reader, sorted_.of_operators);
     WordProof proof;
@@ -456,7 +474,7 @@ std::optional<std::string> multiple_in_words(const Question& question, const Equ
     WordRules rules(*limits.budget);
     NumberLaws numbers;
     add_rules_that_can_be_read(own, reader, sorted.of_operators, rules, numbers);
-    complete_as_far_as_possible(rules);
+    complete_as_far_as_possible(own, rules);
     Positions used;
     const std::vector<WordSum> differences = normal_differences(own, reader, own.question.claim, rules, used);
     const std::vector<WordSum> terms = normal_differences(own, reader, term, rules, used);
@@ -483,7 +501,7 @@ bool holds_in_words(const Question& question, const Limits& limits) {
     WordRules rules(*limits.budget);
     NumberLaws numbers;
     add_rules_that_can_be_read(own, reader, sorted.of_operators, rules, numbers);
-    complete_as_far_as_possible(rules);
+    complete_as_far_as_possible(own, rules);
     Positions used;
     const std::vector<WordSum> left = normal_differences(own, reader, own.question.claim, rules, used);
     return std::ranges::all_of(left, [&](const WordSum& sum) {
@@ -580,7 +598,7 @@ bool operators_deny(const Question& question, const Limits& limits) {
     add_rules(own, reader, sorted.of_operators, rules);
     const Equation& claim = own.question.claim;
     if (holds_states(*own.tree, claim.left) || holds_states(*own.tree, claim.right)) {
-      complete_as_far_as_possible(rules);
+      complete_as_far_as_possible(own, rules);
       Positions used;
       const std::vector<WordSum> left = normal_differences(own, reader, own.question.claim, rules, used);
       return left.size() == 1 && is_plainly_not_zero(left[0], own.parts);

@@ -277,9 +277,13 @@ class Instance {
   return false;
 }
 
-[[nodiscard]] std::vector<Numbers> numbers_for(const std::set<Label>& patterns, const std::set<Label>& wanted) {
+/// Such that `first` becomes one of the kets that are asked about, and others where that leaves something free.
+[[nodiscard]] std::vector<Numbers> numbers_for(const Label& first, const std::set<Label>& patterns,
+                                               const std::set<Label>& wanted) {
   std::vector<Numbers> all{{}};
-  for (const Label& pattern : patterns) {
+  std::vector<Label> order{first};
+  order.insert(order.end(), patterns.begin(), patterns.end());
+  for (const Label& pattern : order) {
     std::vector<Numbers> more;
     for (const Numbers& numbers : all) {
       if (!has_free_number(pattern, numbers)) {
@@ -345,7 +349,11 @@ LawsOfStates laws_of_other_states(const LawsOfStates& laws, const std::vector<Ex
       std::set<Label> patterns;
       collect_labels(laws[k].first, parts.tree(), patterns);
       const bool delta = has_delta(laws[k].first, parts);
-      for (const Numbers& numbers : numbers_for(patterns, wanted)) {
+      std::set<Numbers> all;
+      for (const Label& first : patterns) {
+        for (Numbers& numbers : numbers_for(first, patterns, wanted)) all.insert(std::move(numbers));
+      }
+      for (const Numbers& numbers : all) {
         if (numbers.empty() || joins_states(patterns, numbers, delta) || !done.emplace(k, numbers).second)
           continue;
         try {

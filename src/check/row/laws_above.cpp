@@ -382,6 +382,29 @@ bool is_about_values(const RowPlace& place, const Equation& equation) {
   return found;
 }
 
+namespace {
+
+/// `\langle m|n\rangle`, and what it is for all states of a set.
+bool is_product_of_states(const ExprTree& tree, ExprId side) {
+  const auto is_ket = [&](ExprId id) {
+    return tree[id].op == Op::symbol && tree.symbols[tree[id].symbol].ket;
+  };
+  const ExprNode& node = tree[side];
+  return node.op == Op::multiply && node.count == 2 && is_ket(tree.children(side)[1]) &&
+         tree[tree.children(side)[0]].op == Op::conjugate &&
+         is_ket(tree.children(tree.children(side)[0])[0]);
+}
+
+/// `\langle 0|1\rangle = 0`, `\langle m|n\rangle = \delta_{mn}`: how states are chosen, once for all.
+bool chooses_states(const ExprTree& tree, const Equation& equation) {
+  const ExprNode& right = tree[equation.right];
+  return is_product_of_states(tree, equation.left) &&
+         (right.op == Op::number ||
+          (right.op == Op::symbol && is_kronecker_of_states(tree.symbols[right.symbol])));
+}
+
+}  // namespace
+
 bool states_values(const RowPlace& place, const ParsedChain& parsed, const ChainReading& reading) {
   const std::size_t last = reading.sides.size() - 1;
   if (last < 2 || !std::ranges::all_of(parsed.written.relations, [](const WrittenRelation& each) {
@@ -390,6 +413,7 @@ bool states_values(const RowPlace& place, const ParsedChain& parsed, const Chain
     return false;
   const auto is_value = [&](const ChainReading::Side& side) {
     const ExprTree& tree = place.tree;
+    if (side.typed && is_product_of_states(tree, side.typed->id)) return true;
     return side.typed && tree[side.typed->id].op == Op::symbol &&
            !tree.symbols[base_of(tree.symbols, tree[side.typed->id].symbol)].integral &&
            is_function_value(place.names, tree, tree[side.typed->id].symbol);
@@ -455,7 +479,8 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
               .at_instant = (momentary || sets) && !lasts,
               .of_a_case = in_a_case || ((momentary || sets) && !of_values && !runs) ||
                            is_an_example(place) || beside_an_arrow ||
-                           is_of_a_passing_case(place, !operators) || is_value(place.tree, equation) ||
+                           (is_of_a_passing_case(place, !operators) &&
+                            !chooses_states(place.tree, equation)) || is_value(place.tree, equation) ||
                            determines_a_letter(place.tree, equation),
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
               .proves_only = !operators && is_one(place.tree, equation),
