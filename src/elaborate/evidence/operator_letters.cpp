@@ -209,13 +209,23 @@ const WrittenSymbol* letter_of_factor(const SyntaxTree& syntax, SyntaxId id) {
   return syntax[id].kind == SyntaxKind::symbol ? &syntax.symbol(id) : nullptr;
 }
 
+/// L of `L^2|l, m\rangle` is the square of L_z and its like, where these are about.
+void add_letter_beside_states(const WrittenSymbol& symbol, Evidence& evidence) {
+  if (symbol.face != Face::plain) return add_letter(symbol, evidence);
+  const std::string letter = letter_with_marks(symbol);
+  evidence.state_operators.insert(with_labels(letter, symbol.lower));
+  static constexpr auto axes = std::to_array<std::string_view>({"x", "y", "z"});
+  if (symbol.lower.size() == 1 && is_one_of(symbol.lower[0].text, axes))
+    evidence.operator_families.insert(letter);
+}
+
 /// The letters between a bra and a ket, where brackets may be around a sum.
 void add_letters_between(const SyntaxTree& syntax, SyntaxId id, bool alone, Evidence& evidence) {
   const SyntaxNode& node = syntax[id];
   if (const WrittenSymbol* letter = letter_of_factor(syntax, id)) {
     const bool many = may_be_of_many(*letter) || acts_everywhere(*letter) ||
                       is_one_of(letter->letter, std::array<std::string_view, 6>{"a", "b", "x", "p", "q", "r"});
-    if (!is_never_operator(*letter) && (alone || many)) add_letter(*letter, evidence);
+    if (!is_never_operator(*letter) && (alone || many)) add_letter_beside_states(*letter, evidence);
     return;
   }
   if (node.kind != SyntaxKind::group && node.kind != SyntaxKind::sum && node.kind != SyntaxKind::term &&
@@ -271,7 +281,7 @@ void see_product_of_states(const SyntaxTree& syntax, SyntaxId term, bool leads, 
     const bool first = leads && k == 0 && whole_ket && !is_never_operator(*letter);
     const bool adjoint = is_adjoint(syntax, factors[k].id);
     if (beside && (first || adjoint || any_operator || acts_everywhere(*letter)) && !is_never_operator(*letter)) {
-      add_letter(*letter, evidence);
+      add_letter_beside_states(*letter, evidence);
       any_operator = true;
     } else {
       add_amplitude(syntax, factors[k].id, evidence);
@@ -302,7 +312,7 @@ bool see_states(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Ev
   if (!makes_operator) return true;
   for (const SyntaxId side : sides) {
     const WrittenSymbol* letter = letter_of_factor(syntax, side);
-    if (letter != nullptr && !is_constant_of_nature(*letter)) add_letter(*letter, evidence);
+    if (letter != nullptr && !is_constant_of_nature(*letter)) add_letter_beside_states(*letter, evidence);
   }
   return false;
 }
@@ -363,6 +373,11 @@ void settle_operators(Evidence& evidence) {
     const auto triple = triple_of(evidence, letter);
     const bool matrices = is_written_out(letter) || (triple && !triple->usual);
     if (!matrices) evidence.noncommuting_triples.insert(letter);
+  }
+  for (const std::string& name : evidence.state_operators) {
+    if (!is_written_out(name) && !evidence.declared_real.contains(name) &&
+        !evidence.noncommuting_triples.contains(name))
+      evidence.noncommuting.insert(name);
   }
   add_what_is_made_of_operators(evidence);
   // Beside operators nobody writes a current or an index on the line.
