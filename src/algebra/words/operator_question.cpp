@@ -168,7 +168,8 @@ void add_open_laws_of_states(OwnQuestion& own, const WordReader& reader, WordRul
     Positions used;
     const WordSum outside = with_brackets_out(zero, own.parts, nullptr, used);
     const bool number = outside.size() == 1 && outside.begin()->first.empty();
-    if (!number && numbers == nullptr) throw Undecidable("a law for its states has a factor that may be zero");
+    if (!number && numbers == nullptr)
+      throw Undecidable("a law for its states has a factor that may be zero");
     if (!number || numbers == nullptr) continue;
     const Span span = (*own.tree)[own.question.claim.left].span;
     numbers->emplace_back(as_expression(outside.begin()->second, own.parts, span), which);

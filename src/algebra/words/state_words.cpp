@@ -78,7 +78,8 @@ using Label = std::vector<LabelPart>;
       if (put_in(label[k], numbers) != other[k]) return std::nullopt;
       continue;
     }
-    const bool same_mark = label[k].mark == other[k].mark || (other[k].letter.empty() && label[k].mark.empty());
+    const bool same_mark =
+        label[k].mark == other[k].mark || (other[k].letter.empty() && label[k].mark.empty());
     if (!same_mark || !may_stand_for_a_number(other[k], label.size() == 1)) return std::nullopt;
     numbers[label[k].letter] = {other[k].letter, "", other[k].number - label[k].number};
   }
@@ -213,8 +214,7 @@ class Instance {
     for (const auto& [monomial, factor] : terms) {
       if (monomial.empty()) {
         rest = factor;
-      } else if (letter || monomial.size() != 1 || monomial[0].second != 1 ||
-                 factor != WordFraction{1, 1}) {
+      } else if (letter || monomial.size() != 1 || monomial[0].second != 1 || factor != WordFraction{1, 1}) {
         return id;
       } else {
         letter = parts_.part(monomial[0].first);
@@ -277,7 +277,8 @@ class Instance {
   return false;
 }
 
-/// Such that `first` becomes one of the kets that are asked about, and others where that leaves something free.
+/// Such that `first` becomes one of the kets that are asked about, and others where that leaves something
+/// free.
 [[nodiscard]] std::vector<Numbers> numbers_for(const Label& first, const std::set<Label>& patterns,
                                                const std::set<Label>& wanted) {
   std::vector<Numbers> all{{}};
@@ -308,7 +309,8 @@ bool holds_kets(const WordSum& sum, const ExprTree& tree) {
   });
 }
 
-WordSum with_brackets_out(const WordSum& sum, CommutingParts& parts, const WordRules* rules, Positions& used) {
+WordSum with_brackets_out(const WordSum& sum, CommutingParts& parts, const WordRules* rules,
+                          Positions& used) {
   WordSum result;
   for (const auto& [whole, coefficient] : sum) {
     Word word;

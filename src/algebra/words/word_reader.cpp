@@ -163,9 +163,8 @@ std::vector<WordSum> WordReader::read(ExprId id, const AxesOfIndices& axes) {
 /// `\sqrt{x^Tx}`, `\ln\det A`: of numbers that matrices make. Nothing where an operator is left.
 std::optional<WordSum> WordReader::function_of_numbers(ExprId id, const AxesOfIndices& axes) {
   const ExprNode node = tree()[id];
-  const bool fits =
-      node.op == Op::root || node.op == Op::function || node.op == Op::absolute ||
-      node.op == Op::real_power || node.op == Op::real_part || node.op == Op::imaginary_part;
+  const bool fits = node.op == Op::root || node.op == Op::function || node.op == Op::absolute ||
+                    node.op == Op::real_power || node.op == Op::real_part || node.op == Op::imaginary_part;
   if (!fits) return std::nullopt;
   std::vector<ExprId> children;
   for (const ExprId child : std::vector<ExprId>(tree().children(id).begin(), tree().children(id).end())) {
@@ -491,9 +490,8 @@ Coefficient WordReader::trace_of_states(const WordSum& of) {
   WordSum numbers;
   for (const auto& [whole, coefficient] : of) {
     Word word = whole;
-    const auto bra = std::ranges::find_if(word, [&](const Letter& letter) {
-      return letter.adjoint && tree().symbols[letter.symbol].ket;
-    });
+    const auto bra = std::ranges::find_if(
+        word, [&](const Letter& letter) { return letter.adjoint && tree().symbols[letter.symbol].ket; });
     if (bra == word.end()) throw Undecidable("the trace of an operator without states is not decided");
     std::rotate(word.begin(), bra, word.end());
     add_to(numbers, WordSum{{std::move(word), coefficient}});

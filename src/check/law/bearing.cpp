@@ -32,7 +32,8 @@ void add_numbered_kets(const ExprTree& tree, std::set<SymbolId>& letters) {
   }
   for (std::uint32_t k = 0; !sizes.empty() && k < tree.symbols.size(); ++k) {
     const Symbol& symbol = tree.symbols[SymbolId{k}];
-    if (symbol.ket && sizes.contains(symbol.label.size()) && std::ranges::any_of(symbol.label, numbers_states))
+    if (symbol.ket && sizes.contains(symbol.label.size()) &&
+        std::ranges::any_of(symbol.label, numbers_states))
       letters.insert(SymbolId{k});
   }
 }

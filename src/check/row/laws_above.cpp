@@ -391,8 +391,7 @@ bool is_product_of_states(const ExprTree& tree, ExprId side) {
   };
   const ExprNode& node = tree[side];
   return node.op == Op::multiply && node.count == 2 && is_ket(tree.children(side)[1]) &&
-         tree[tree.children(side)[0]].op == Op::conjugate &&
-         is_ket(tree.children(tree.children(side)[0])[0]);
+         tree[tree.children(side)[0]].op == Op::conjugate && is_ket(tree.children(tree.children(side)[0])[0]);
 }
 
 /// `\langle 0|1\rangle = 0`, `\langle m|n\rangle = \delta_{mn}`: how states are chosen, once for all.
@@ -471,20 +470,20 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
       letter && !runs_along(place.names, place.tree, {.symbol = *letter, .body = equation.right}).empty();
   const bool lasts = of_values || runs ||
                      (!momentary && !is_of_a_spot(place) && says_that_a_field_vanishes(place, equation));
-  PageLaw law{.equation = equation,
-              .name = name_of_law(parsed.written.tag, relation, place.sources, word_of(standing)),
-              .span = relation,
-              .place = here.place,
-              .argument = here.argument,
-              .at_instant = (momentary || sets) && !lasts,
-              .of_a_case = in_a_case || ((momentary || sets) && !of_values && !runs) ||
-                           is_an_example(place) || beside_an_arrow ||
-                           (is_of_a_passing_case(place, !operators) &&
-                            !chooses_states(place.tree, equation)) || is_value(place.tree, equation) ||
-                           determines_a_letter(place.tree, equation),
-              .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
-              .proves_only = !operators && is_one(place.tree, equation),
-              .standing = standing};
+  PageLaw law{
+      .equation = equation,
+      .name = name_of_law(parsed.written.tag, relation, place.sources, word_of(standing)),
+      .span = relation,
+      .place = here.place,
+      .argument = here.argument,
+      .at_instant = (momentary || sets) && !lasts,
+      .of_a_case = in_a_case || ((momentary || sets) && !of_values && !runs) || is_an_example(place) ||
+                   beside_an_arrow ||
+                   (is_of_a_passing_case(place, !operators) && !chooses_states(place.tree, equation)) ||
+                   is_value(place.tree, equation) || determines_a_letter(place.tree, equation),
+      .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
+      .proves_only = !operators && is_one(place.tree, equation),
+      .standing = standing};
   place.found.stated.push_back({.law = std::move(law),
                                 .labels = labels_of(parsed.written),
                                 .beginnings = beginnings_of_law(place.tree, equation),

@@ -51,8 +51,7 @@ bool is_usual_real_beside_operators(std::string_view letter) {
 bool is_usual_real_beside_states(std::string_view letter, const Evidence& evidence) {
   static constexpr auto reals =
       std::to_array<std::string_view>({"E", "\\phi", "\\varphi", "\\vartheta", "\\Delta", "\\Phi"});
-  return evidence.states &&
-         (is_one_of(letter, reals) || evidence.state_labels.contains(std::string(letter)));
+  return evidence.states && (is_one_of(letter, reals) || evidence.state_labels.contains(std::string(letter)));
 }
 
 /// Beside operators any other letter may be one, too: V of `H = p^2/2m + V`. A proof takes it for a number.
@@ -81,9 +80,8 @@ std::optional<OtherReading> beside_operators(const Question& question, const Nam
                         known.complex || is_usual_number_beside_operators(letter) ||
                         is_usual_real_beside_states(letter, evidence);
     if (!number && !defined) open.insert(symbol);
-    const bool real =
-        known.complex || evidence.real.contains(letter) || is_usual_real_beside_operators(letter) ||
-        is_usual_real_beside_states(letter, evidence);
+    const bool real = known.complex || evidence.real.contains(letter) ||
+                      is_usual_real_beside_operators(letter) || is_usual_real_beside_states(letter, evidence);
     if (conjugates && !real && !defined) complex.insert(symbol);
   }
   if (!open.empty())

@@ -180,10 +180,10 @@ WrittenShape shape_of_states(const SyntaxTree& syntax, SyntaxId id) {
 /// Numbers before a ket: energies, and what is usually none but real.
 bool is_usual_real_before_states(const WrittenSymbol& symbol) {
   static constexpr auto reals = std::to_array<std::string_view>(
-      {"E",       "m",        "M",      "n",        "N",       "k",      "l",      "j",      "t",  "T",
-       "\\hbar",  "\\omega",  "\\Omega", "\\theta", "\\epsilon", "\\pi",   "\\mu",   "\\nu",   "g",  "B",
-       "\\Delta", "\\delta", "\\tau", "\\varphi", "\\phi",     "i",      "e",      "x",      "r",  "p",
-       "J",       "s",        "L",      "\\lambda", "\\vartheta", "\\Phi", "\\kappa", "\\Lambda"});
+      {"E",       "m",       "M",       "n",        "N",          "k",     "l",       "j",       "t", "T",
+       "\\hbar",  "\\omega", "\\Omega", "\\theta",  "\\epsilon",  "\\pi",  "\\mu",    "\\nu",    "g", "B",
+       "\\Delta", "\\delta", "\\tau",   "\\varphi", "\\phi",      "i",     "e",       "x",       "r", "p",
+       "J",       "s",       "L",       "\\lambda", "\\vartheta", "\\Phi", "\\kappa", "\\Lambda"});
   return is_one_of(symbol.letter, reals);
 }
 
@@ -196,8 +196,9 @@ bool acts_everywhere(const WrittenSymbol& symbol) {
 
 bool is_never_operator(const WrittenSymbol& symbol) {
   static constexpr auto numbers = std::to_array<std::string_view>(
-      {"E", "\\lambda", "\\alpha", "\\beta", "\\gamma", "\\epsilon", "\\omega", "n", "m", "k", "l", "j", "t",
-       "\\theta", "\\phi", "\\varphi", "\\psi", "c", "e", "\\mu", "\\nu", "\\Delta", "\\delta"});
+      {"E",     "\\lambda", "\\alpha", "\\beta", "\\gamma", "\\epsilon", "\\omega", "n",
+       "m",     "k",        "l",       "j",      "t",       "\\theta",   "\\phi",   "\\varphi",
+       "\\psi", "c",        "e",       "\\mu",   "\\nu",    "\\Delta",   "\\delta"});
   return symbol.accent != Accent::hat && (is_one_of(symbol.letter, numbers) || is_constant_of_nature(symbol));
 }
 
@@ -223,8 +224,9 @@ void add_letter_beside_states(const WrittenSymbol& symbol, Evidence& evidence) {
 void add_letters_between(const SyntaxTree& syntax, SyntaxId id, bool alone, Evidence& evidence) {
   const SyntaxNode& node = syntax[id];
   if (const WrittenSymbol* letter = letter_of_factor(syntax, id)) {
-    const bool many = may_be_of_many(*letter) || acts_everywhere(*letter) ||
-                      is_one_of(letter->letter, std::array<std::string_view, 6>{"a", "b", "x", "p", "q", "r"});
+    const bool many =
+        may_be_of_many(*letter) || acts_everywhere(*letter) ||
+        is_one_of(letter->letter, std::array<std::string_view, 6>{"a", "b", "x", "p", "q", "r"});
     if (!is_never_operator(*letter) && (alone || many)) add_letter_beside_states(*letter, evidence);
     return;
   }
@@ -248,7 +250,8 @@ void add_amplitude(const SyntaxTree& syntax, SyntaxId id, Evidence& evidence) {
   if (syntax[id].kind == SyntaxKind::function && syntax.text(id) == "conjugate") id = syntax.child(id, 0);
   if (syntax[id].kind != SyntaxKind::symbol) return;
   const WrittenSymbol& symbol = syntax.symbol(id);
-  if (symbol.face != Face::plain || symbol.accent == Accent::hat || is_usual_real_before_states(symbol)) return;
+  if (symbol.face != Face::plain || symbol.accent == Accent::hat || is_usual_real_before_states(symbol))
+    return;
   evidence.complex_numbers.insert(complex_name(symbol));
 }
 
@@ -257,7 +260,9 @@ void see_product_of_states(const SyntaxTree& syntax, SyntaxId term, bool leads, 
   const auto factors = syntax.children(term);
   std::vector<WrittenShape> shapes;
   for (const SyntaxChild& child : factors) shapes.push_back(shape_of_states(syntax, child.id));
-  const auto is_kind = [&](std::size_t k, WrittenShape shape) { return k < shapes.size() && shapes[k] == shape; };
+  const auto is_kind = [&](std::size_t k, WrittenShape shape) {
+    return k < shapes.size() && shapes[k] == shape;
+  };
   for (std::size_t k = 0; k < factors.size(); ++k) {
     if (!is_kind(k, WrittenShape::bra)) continue;
     std::size_t end = k + 1;
@@ -280,7 +285,8 @@ void see_product_of_states(const SyntaxTree& syntax, SyntaxId term, bool leads, 
     const bool beside = whole_ket ? true : k > 0;
     const bool first = leads && k == 0 && whole_ket && !is_never_operator(*letter);
     const bool adjoint = is_adjoint(syntax, factors[k].id);
-    if (beside && (first || adjoint || any_operator || acts_everywhere(*letter)) && !is_never_operator(*letter)) {
+    if (beside && (first || adjoint || any_operator || acts_everywhere(*letter)) &&
+        !is_never_operator(*letter)) {
       add_letter_beside_states(*letter, evidence);
       any_operator = true;
     } else {
@@ -330,7 +336,8 @@ void see_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
   }
   const bool of_numbers = see_states(syntax, sides, evidence);
   for (const SyntaxId side : sides) {
-    if (of_numbers || syntax[side].kind != SyntaxKind::symbol || is_constant_of_nature(syntax.symbol(side))) continue;
+    if (of_numbers || syntax[side].kind != SyntaxKind::symbol || is_constant_of_nature(syntax.symbol(side)))
+      continue;
     const WrittenSymbol& symbol = syntax.symbol(side);
     if (symbol.face != Face::plain) continue;
     std::set<std::string>& names = evidence.set_equal[with_labels(letter_with_marks(symbol), symbol.lower)];
@@ -383,7 +390,8 @@ void settle_operators(Evidence& evidence) {
   // Beside operators nobody writes a current or an index on the line.
   const bool any = !evidence.noncommuting.empty() || !evidence.noncommuting_triples.empty();
   const bool triples = evidence.speaks_of_pauli || !evidence.triples.empty();
-  if ((any || triples || evidence.states) && !evidence.no_units.contains("i")) evidence.imaginary_units.insert("i");
+  if ((any || triples || evidence.states) && !evidence.no_units.contains("i"))
+    evidence.imaginary_units.insert("i");
   if (!evidence.operators) return;
   for (const std::string& letter : evidence.hatted) {
     if (!is_usual_unit_vector(letter) && !is_written_out(letter)) evidence.noncommuting.insert(letter);

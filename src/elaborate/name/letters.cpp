@@ -486,11 +486,10 @@ bool is_kronecker_of_states(const WrittenSymbol& symbol, const Evidence& evidenc
   for (const WrittenIndex& index : symbol.lower) {
     const std::vector<std::string> counters = counters_in(index);
     const bool number = index.form == IndexForm::digit;
-    const bool of_states =
-        evidence.state_labels.contains(index.text) ||
-        (!counters.empty() && std::ranges::all_of(counters, [&](const std::string& each) {
-          return evidence.state_labels.contains(each);
-        }));
+    const bool of_states = evidence.state_labels.contains(index.text) ||
+                           (!counters.empty() && std::ranges::all_of(counters, [&](const std::string& each) {
+                             return evidence.state_labels.contains(each);
+                           }));
     if (!number && !of_states) return false;
     any = any || of_states;
   }

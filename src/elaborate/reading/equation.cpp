@@ -166,11 +166,11 @@ void guess_numbers_of_states(Reading& reading, const Equation& equation) {
   for (const ExprId side : {equation.left, equation.right}) {
     for (const SymbolId each : symbols_in(tree, side)) {
       if (is_kronecker_of_states(tree.symbols[each]))
-        reading.found.guess =
-            Obstacle{DiagnosticKind::ambiguous_reading,
-                     fmt::format("`{}` is δ of two states, which is not decided with where no state is written",
-                                 tree.symbols[each].name),
-                     {}};
+        reading.found.guess = Obstacle{
+            DiagnosticKind::ambiguous_reading,
+            fmt::format("`{}` is δ of two states, which is not decided with where no state is written",
+                        tree.symbols[each].name),
+            {}};
     }
   }
 }

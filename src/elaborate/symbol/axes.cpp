@@ -115,7 +115,8 @@ MaybeTyped unit_tensor(Reading& reading, const WrittenSymbol& written, Span span
     const auto part = [&](const WrittenIndex& index) {
       return label_of(index.text + std::string(index.primes, '\'')).front();
     };
-    return Typed{.id = kronecker_of_states(reading.tree, part(written.lower[0]), part(written.lower[1]), span)};
+    return Typed{.id =
+                     kronecker_of_states(reading.tree, part(written.lower[0]), part(written.lower[1]), span)};
   }
   const auto primed = static_cast<std::size_t>(
       std::ranges::count_if(written.lower, [](const auto& axis) { return axis.primes > 0; }));

@@ -57,8 +57,8 @@ namespace {
     }
   }
   if (length > 0 && rest.empty()) return part;
-  const bool shifted = length > 0 && (rest[0] == '+' || rest[0] == '-') && is_number_text(rest.substr(1)) &&
-                       rest[1] != '-';
+  const bool shifted =
+      length > 0 && (rest[0] == '+' || rest[0] == '-') && is_number_text(rest.substr(1)) && rest[1] != '-';
   if (!shifted) return {std::string(text), "", 0};
   part.number = number_of_text(rest);
   return part;

@@ -94,7 +94,8 @@ class Parser {
 
   // parser_kets.cpp
   SyntaxId state_named(const char* kind, TokenView content, Span span);
-  SyntaxId bracket_of_states(TokenView bra, const std::optional<TokenView>& between, TokenView ket, Span span);
+  SyntaxId bracket_of_states(TokenView bra, const std::optional<TokenView>& between, TokenView ket,
+                             Span span);
   std::optional<SyntaxId> ket(Cursor& cursor);               // |a\rangle
   std::optional<SyntaxId> angles_of_states(Cursor& cursor);  // \langle a|
   std::optional<SyntaxId> named_states(Cursor& cursor);      // \ket{a}, \mel{a}{H}{b}

@@ -7,8 +7,8 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "latex/parse/parser.h"
-#include "latex/token/state_places.h"
 #include "latex/token/cover_tokens.h"
+#include "latex/token/state_places.h"
 
 namespace rigor {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 std::string spelled_label(TokenView tokens) {
   tokens = trim(tokens);
   std::string text;
-  bool behind_word = false;    // a letter would run on
+  bool behind_word = false;     // a letter would run on
   bool behind_control = false;  // a group is its argument
   for (std::size_t at = 0; at < tokens.size();) {
     const Token& token = tokens[at];
@@ -42,7 +42,7 @@ std::string spelled_label(TokenView tokens) {
       continue;
     } else if (token.kind == TokenKind::control) {
       const bool fraction = is_control_of(token, {"tfrac", "dfrac", "frac", "nicefrac", "sfrac"});
-      const std::string_view name = fraction                       ? "frac"
+      const std::string_view name = fraction                     ? "frac"
                                     : token.text == "varepsilon" ? "epsilon"
                                                                  : std::string_view(token.text);
       text += '\\' + std::string(name);
@@ -60,7 +60,8 @@ std::string spelled_label(TokenView tokens) {
       if (behind_word && token.kind == TokenKind::letter && !token.text.empty() &&
           is_letter(token.text.front()))
         text += ' ';
-      text += token.kind == TokenKind::letter && token.text == "−" ? std::string_view("-") : std::string_view(token.text);
+      text += token.kind == TokenKind::letter && token.text == "−" ? std::string_view("-")
+                                                                   : std::string_view(token.text);
       ++at;
     }
     behind_word = false;
@@ -102,14 +103,16 @@ const char* why_no_name(TokenView part) {
     if (is_control_of(token, {"dagger", "dag"})) return "a dagger inside a ket is not read";
     const bool script = is_script_argument(part, at);
     if (nesting.enter(token) != 0 || script) continue;
-    if (is_sum_sign(token) && at > 0 && !is_digits(part.subspan(at + 1)) && at + 1 < part.size() && letters > 0)
+    if (is_sum_sign(token) && at > 0 && !is_digits(part.subspan(at + 1)) && at + 1 < part.size() &&
+        letters > 0)
       return "a sum inside a ket can be a name, or a sum of states";
     if (is_control_of(token, {"hat", "widehat"})) marked = true;
     const bool letter =
         token.kind == TokenKind::letter || (token.kind == TokenKind::control && !letter_of(token).empty());
     if (!letter) continue;
     if (letters == 0) capital = token.text.size() == 1 && is_capital_letter(token.text[0]);
-    if (letters > 0 && is_one_of(token.text, {"psi", "phi", "varphi", "chi", "Psi", "Phi", "u", "v"})) wave = true;
+    if (letters > 0 && is_one_of(token.text, {"psi", "phi", "varphi", "chi", "Psi", "Phi", "u", "v"}))
+      wave = true;
     ++letters;
   }
   if (wave && (capital || marked))
@@ -129,7 +132,8 @@ SyntaxId Parser::state_named(const char* kind, TokenView content, Span span) {
   if (content.empty()) return opaque(span, "a ket or bra without a name is not read");
   std::string name;
   for (const TokenView part : parts_of_label(content)) {
-    if (const char* reason = why_no_name(part)) return opaque(span, reason, DiagnosticKind::ambiguous_reading);
+    if (const char* reason = why_no_name(part))
+      return opaque(span, reason, DiagnosticKind::ambiguous_reading);
     const std::string text = spelled_label(part);
     if (text.empty()) return opaque(span, "a ket or bra with an empty part in its name is not read");
     name += (name.empty() ? "" : ", ") + text;
@@ -213,7 +217,7 @@ std::optional<SyntaxId> Parser::named_states(Cursor& cursor) {
   while (is_sign_at(tokens, at, "*")) ++at;
   std::vector<TokenView> arguments;
   std::size_t end = at;
-  const std::size_t most = is_control_of(tokens[begin], {"ket", "bra", "Ket", "Bra"})              ? 1
+  const std::size_t most = is_control_of(tokens[begin], {"ket", "bra", "Ket", "Bra"})           ? 1
                            : is_control_of(tokens[begin], {"mel", "matrixel", "matrixelement"}) ? 3
                                                                                                 : 2;
   for (at = skip_blank(tokens, at); arguments.size() < most && is_whole_group(tokens, at);

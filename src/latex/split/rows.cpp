@@ -7,8 +7,8 @@
 
 #include "base/ascii.h"
 #include "latex/split/blocks.h"
-#include "latex/token/state_places.h"
 #include "latex/token/cover_tokens.h"
+#include "latex/token/state_places.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {

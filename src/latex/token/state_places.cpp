@@ -37,7 +37,8 @@ StateAngles state_angles(TokenView tokens, std::size_t open) {
   if (found.close < tokens.size() && found.bars.size() > 1) {  // `|0\rangle\langle 1| + |1\rangle\langle 0|`
     const TokenView middle = trim(tokens.subspan(found.bars[0] + 1, found.bars.back() - found.bars[0] - 1));
     const bool goes_on = is_control_at(tokens, skip_spaces(tokens, found.close + 1), "langle");
-    const bool sum = !middle.empty() && (is_sum_sign(middle.back()) || (is_sum_sign(middle.front()) && goes_on));
+    const bool sum =
+        !middle.empty() && (is_sum_sign(middle.back()) || (is_sum_sign(middle.front()) && goes_on));
     if (sum) found.close = tokens.size();
   }
   if (found.close == tokens.size() && found.bars.size() > 1) found.bars.resize(1);
@@ -78,7 +79,8 @@ std::size_t behind_states(TokenView tokens, std::size_t at) {
 
 bool is_bar_of_one_state(TokenView tokens, std::size_t bar) {
   const auto is_end = [](const Token& token) {
-    return is_any_bar(token) || is_control_of(token, {"middle", "\\", "cr"}) || token.kind == TokenKind::align;
+    return is_any_bar(token) || is_control_of(token, {"middle", "\\", "cr"}) ||
+           token.kind == TokenKind::align;
   };
   for (std::size_t at = bar + 1; at < tokens.size(); ++at) {
     if (is_control(tokens[at], "rangle")) return true;
