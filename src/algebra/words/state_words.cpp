@@ -62,8 +62,8 @@ using Label = std::vector<LabelPart>;
 [[nodiscard]] LabelPart put_in(const LabelPart& part, const Numbers& numbers) {
   const auto found = numbers.find(part.letter);
   if (found == numbers.end()) return part;
-  return {found->second.letter, found->second.letter.empty() ? "" : part.mark,
-          found->second.number + part.number};
+  const bool above = part.mark.starts_with('^') && found->second.letter.empty();
+  return {found->second.letter, above ? "" : part.mark, found->second.number + part.number};
 }
 
 [[nodiscard]] bool may_stand_for_a_number(const LabelPart& part, bool alone) {

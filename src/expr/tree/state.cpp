@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <utility>
 
 #include "base/ascii.h"
@@ -44,7 +45,25 @@ namespace {
   return at;
 }
 
+[[nodiscard]] LabelPart part_of_label(std::string_view text);
+
+/// `\psi_{n}`: the state n of the \psi. n_1 and n_2 are numbers of their own.
+[[nodiscard]] std::optional<LabelPart> member_of_states(std::string_view text) {
+  const std::size_t script = text.find("_{");
+  if (script == std::string_view::npos || script == 0 || text.back() != '}') return std::nullopt;
+  const std::string_view of = text.substr(0, script);
+  const std::string_view number = text.substr(script + 2, text.size() - script - 3);
+  if (length_of_letter(of) != of.size() || number.find_first_of("{}_") != std::string_view::npos ||
+      numbers_states({std::string(of), "", 0}))
+    return std::nullopt;
+  LabelPart part = part_of_label(number);
+  if (!part.mark.empty() || (!part.letter.empty() && !numbers_states(part))) return std::nullopt;
+  part.mark = of;
+  return part;
+}
+
 [[nodiscard]] LabelPart part_of_label(std::string_view text) {
+  if (auto member = member_of_states(text)) return *std::move(member);
   if (is_number_text(text)) return {"", "", number_of_text(text)};
   const std::size_t length = length_of_letter(text);
   LabelPart part{std::string(text.substr(0, length)), "", 0};
@@ -102,13 +121,16 @@ std::string text_of_label(const std::vector<LabelPart>& label) {
   std::string text;
   for (const LabelPart& part : label) {
     if (!text.empty()) text += ", ";
+    const bool member = !part.mark.empty() && part.mark[0] != '^';
+    if (member) text += part.mark + "_{";
     if (part.letter.empty()) {
       text += std::to_string(part.number);
-      continue;
+    } else {
+      text += part.letter + (member ? "" : part.mark);
+      if (part.number > 0) text += " + " + std::to_string(part.number);
+      if (part.number < 0) text += " - " + std::to_string(-part.number);
     }
-    text += part.letter + part.mark;
-    if (part.number > 0) text += " + " + std::to_string(part.number);
-    if (part.number < 0) text += " - " + std::to_string(-part.number);
+    if (member) text += "}";
   }
   return text;
 }
