@@ -114,6 +114,9 @@ class Instance {
       const WordSum number = read_(expression(as_expression(coefficient, parts_, {})));
       add_to(result, times(number, WordSum{{own, rational({1, 1})}}));
     }
+    // `H|n\rangle = E|n\rangle`: E may be another one for another n.
+    if (fixed_letters_ && !numbered_letters_)
+      throw Undecidable("a letter of a law may depend on the number of its state");
     return result;
   }
 
@@ -184,6 +187,8 @@ class Instance {
   [[nodiscard]] ExprId of_symbol(ExprId id) {
     const SymbolId own = tree()[id].symbol;
     const Symbol symbol = tree().symbols[own];
+    const bool numbered = is_kronecker_of_states(symbol) || numbers_.contains(symbol.name) || depends(symbol);
+    (numbered ? numbered_letters_ : fixed_letters_) = true;
     if (is_kronecker_of_states(symbol))
       return kronecker_of_states(tree(), put_in(symbol.label[0], numbers_), put_in(symbol.label[1], numbers_),
                                  {});
@@ -251,6 +256,8 @@ class Instance {
 
   const Numbers& numbers_;
   CommutingParts& parts_;
+  bool fixed_letters_ = false;
+  bool numbered_letters_ = false;
   const std::function<WordSum(ExprId)>& read_;
 };
 
