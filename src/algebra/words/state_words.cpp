@@ -17,7 +17,7 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t most_instances = 40;
+constexpr std::size_t most_instances = 24;
 
 [[nodiscard]] bool is_ket_letter(const Letter& letter, const ExprTree& tree) {
   return tree.symbols[letter.symbol].ket;
