@@ -77,11 +77,12 @@ std::uint32_t CommutingParts::number_of(ExprId part) {
   return at->second;
 }
 
-std::uint32_t CommutingParts::number_named(const std::string& name) {
+std::uint32_t CommutingParts::number_named(const std::string& name, bool complex) {
   const auto [at, is_new] = named_.try_emplace(name, static_cast<std::uint32_t>(parts_.size()));
   if (!is_new) return at->second;
   Symbol symbol;
   symbol.name = name;
+  symbol.complex = complex;
   symbol.made_at = tree_.size();
   const SymbolId made = tree_.symbols.add(std::move(symbol));
   const ExprId part = tree_.add({.op = Op::symbol, .symbol = made});

@@ -30,8 +30,8 @@ class CommutingParts {
   explicit CommutingParts(ExprTree& tree);
 
   [[nodiscard]] std::uint32_t number_of(ExprId part);
-  /// Of a number that has this name here alone, such as a trace; not complex.
-  [[nodiscard]] std::uint32_t number_named(const std::string& name);
+  /// Of a number that has this name here alone, such as a trace.
+  [[nodiscard]] std::uint32_t number_named(const std::string& name, bool complex = false);
   [[nodiscard]] ExprId part(std::uint32_t number) const { return parts_[number]; }
   /// The number of the complex conjugate; of a real part its own.
   [[nodiscard]] std::uint32_t conjugate_of(std::uint32_t number);

@@ -10,8 +10,10 @@
 #include "algebra/engine/budget.h"
 #include "algebra/engine/undecidable.h"
 #include "algebra/words/matrix_parts.h"
+#include "algebra/words/state_words.h"
 #include "algebra/words/word_reader.h"
 #include "algebra/words/word_rules.h"
+#include "expr/tree/state.h"
 
 namespace rigor {
 namespace {
@@ -38,6 +40,8 @@ struct OwnQuestion {
   std::unique_ptr<ExprTree> tree;
   Question question;
   CommutingParts parts;
+  LawsOfStates laws_of_states;
+  LawsOfStates open_laws_of_states;  // that are no rules yet
 };
 
 /// Calls `visit` with left − right for all values of the free indices, component by component.
@@ -143,11 +147,65 @@ void add_determinants(const WordSum& zero, std::size_t which, const WordReader& 
   }
 }
 
+/// False: it is no rule yet.
+[[nodiscard]] bool becomes_rule(OwnQuestion& own, const WordSum& zero, std::size_t which,
+                                const WordReader& reader, WordRules& rules) {
+  try {
+    add_law(zero, {which}, reader, own, rules);
+    return true;
+  } catch (const Contradiction&) {
+    throw;
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
+/// What could be no rule, when the others are there; else as a law of numbers.
+void add_open_laws_of_states(OwnQuestion& own, const WordReader& reader, WordRules& rules,
+                             NumberLaws* numbers) {
+  for (const auto& [zero, which] : own.open_laws_of_states) {
+    if (becomes_rule(own, zero, which, reader, rules)) continue;
+    Positions used;
+    const WordSum outside = with_brackets_out(zero, own.parts, nullptr, used);
+    const bool number = outside.size() == 1 && outside.begin()->first.empty();
+    if (!number && numbers == nullptr)
+      throw Undecidable("a law for its states has a factor that may be zero");
+    if (!number || numbers == nullptr) continue;
+    const Span span = (*own.tree)[own.question.claim.left].span;
+    numbers->emplace_back(as_expression(outside.begin()->second, own.parts, span), which);
+  }
+  own.open_laws_of_states.clear();
+}
+
+/// A law for `|n\rangle` is one for `|n + 1\rangle` and `|0\rangle`, where these are asked about.
+void add_laws_of_other_states(OwnQuestion& own, WordReader& reader, WordRules& rules) {
+  if (own.laws_of_states.empty()) return;
+  const auto read = [&](ExprId id) { return reader.read(id, {}).front(); };
+  const Question& asked = own.question;
+  std::vector<ExprId> roots{asked.claim.left, asked.claim.right};
+  for (const Definition& each : asked.definitions) roots.push_back(each.body);
+  for (const auto& [zero, which] : laws_of_other_states(own.laws_of_states, roots, own.parts, read)) {
+    try {
+      add_law(zero, {which}, reader, own, rules);
+    } catch (const Contradiction&) {
+      throw;
+    } catch (const Undecidable&) {
+      return;
+    }
+  }
+}
+
 void add_rule(OwnQuestion& own, WordReader& reader, std::size_t which, WordRules& rules,
               NumberLaws* numbers) {
   reader.read_laws(true);
   for_each_difference(own, reader, own.question.assumptions[which], [&](const WordSum& difference) {
     WordSum zero = with_numbers_out(difference, own.parts);
+    if (holds_kets(zero, *own.tree)) {
+      own.laws_of_states.emplace_back(zero, which);
+      rules.see_numbers(own.parts);
+      if (!becomes_rule(own, zero, which, reader, rules)) own.open_laws_of_states.emplace_back(zero, which);
+      return;
+    }
     const bool number = zero.size() == 1 && zero.begin()->first.empty();
     if (number && numbers != nullptr) {
       const Span span = (*own.tree)[own.question.claim.left].span;
@@ -162,6 +220,8 @@ void add_rule(OwnQuestion& own, WordReader& reader, std::size_t which, WordRules
 
 void add_rules(OwnQuestion& own, WordReader& reader, const Positions& assumptions, WordRules& rules) {
   for (const std::size_t which : assumptions) add_rule(own, reader, which, rules, nullptr);
+  add_laws_of_other_states(own, reader, rules);
+  add_open_laws_of_states(own, reader, rules, nullptr);
 }
 
 /// Without those that are no rules, such as `e^{i\hat p}\hat x = …`: fewer laws prove less.
@@ -175,10 +235,15 @@ void add_rules_that_can_be_read(OwnQuestion& own, WordReader& reader, const Posi
     } catch (const Undecidable&) {
     }
   }
+  add_laws_of_other_states(own, reader, rules);
+  add_open_laws_of_states(own, reader, rules, &numbers);
 }
 
-/// What was added before it did not end follows from the laws all the same.
-void complete_as_far_as_possible(WordRules& rules) {
+/// What was added before it did not end follows from the laws all the same. Laws for many numbers of states
+/// lead to ever more of them.
+void complete_as_far_as_possible(const OwnQuestion& own, WordRules& rules) {
+  constexpr std::size_t many = 24;
+  if (!own.laws_of_states.empty() && rules.rules().size() > many) return;
   try {
     rules.complete();
   } catch (const Contradiction&) {
@@ -187,8 +252,10 @@ void complete_as_far_as_possible(WordRules& rules) {
   }
 }
 
-/// So that nothing contradicts: to the end, or with letters of which nothing is said made to commute.
-void complete_to_the_end(WordRules& rules) {
+/// So that nothing contradicts: to the end, or with letters of which nothing is said made to commute. Laws of
+/// states lead to further ones for each n; that none of the first contradicts is all that is asked.
+void complete_to_the_end(const OwnQuestion& own, WordRules& rules) {
+  if (!own.laws_of_states.empty()) return complete_as_far_as_possible(own, rules);
   static_cast<void>(rules.commute_the_rest());
   rules.complete();
 }
@@ -200,11 +267,16 @@ void complete_to_the_end(WordRules& rules) {
   reader.read_laws(false);
   for_each_difference(own, reader, equation, [](const WordSum&) {});
   for (const WordSum& inverse : reader.inverses()) add_law(inverse, {}, reader, own, rules);
-  if (!reader.inverses().empty()) complete_as_far_as_possible(rules);
+  if (!reader.inverses().empty()) complete_as_far_as_possible(own, rules);
   reader.reduce_by(&rules);
   std::vector<WordSum> all;
   for_each_difference(own, reader, equation, [&](WordSum difference) {
-    all.push_back(with_numbers_out(rules.reduce(std::move(difference), used), own.parts));
+    WordSum normal = with_numbers_out(rules.reduce(std::move(difference), used), own.parts);
+    if (holds_kets(normal, *own.tree)) {
+      normal = with_brackets_out(normal, own.parts, &rules, used);
+      normal = with_brackets_out(rules.reduce(std::move(normal), used), own.parts, &rules, used);
+    }
+    all.push_back(std::move(normal));
   });
   reader.reduce_by(nullptr);
   used.insert(reader.used().begin(), reader.used().end());
@@ -267,7 +339,7 @@ class WordAttempt {
     numbers_.clear();
     if (by_laws) {
       add_rules_that_can_be_read(own_, reader, sorted_.of_operators, rules, numbers_);
-      complete_as_far_as_possible(rules);
+      complete_as_far_as_possible(own_, rules);
     }
     if (!by_laws && reader.has_traces()) see_laws_of_traces(own_, reader, sorted_.of_operators);
     WordProof proof;
@@ -403,7 +475,7 @@ std::optional<std::string> multiple_in_words(const Question& question, const Equ
     WordRules rules(*limits.budget);
     NumberLaws numbers;
     add_rules_that_can_be_read(own, reader, sorted.of_operators, rules, numbers);
-    complete_as_far_as_possible(rules);
+    complete_as_far_as_possible(own, rules);
     Positions used;
     const std::vector<WordSum> differences = normal_differences(own, reader, own.question.claim, rules, used);
     const std::vector<WordSum> terms = normal_differences(own, reader, term, rules, used);
@@ -430,7 +502,7 @@ bool holds_in_words(const Question& question, const Limits& limits) {
     WordRules rules(*limits.budget);
     NumberLaws numbers;
     add_rules_that_can_be_read(own, reader, sorted.of_operators, rules, numbers);
-    complete_as_far_as_possible(rules);
+    complete_as_far_as_possible(own, rules);
     Positions used;
     const std::vector<WordSum> left = normal_differences(own, reader, own.question.claim, rules, used);
     return std::ranges::all_of(left, [&](const WordSum& sum) {
@@ -450,7 +522,7 @@ bool operators_can_satisfy(const Question& question, const Limits& limits, Quest
       WordReader reader(own.question, own.parts, unfolding, *limits.budget);
       WordRules rules(*limits.budget);
       add_rules(own, reader, sorted.of_operators, rules);
-      complete_to_the_end(rules);
+      complete_to_the_end(own, rules);
       bool can = true;
       for (const Equation& each : own.question.assumptions) {
         if (each.relation == Relation::equal || !speaks_of_operators(own.question, each)) continue;
@@ -497,6 +569,25 @@ bool differs_in_several_degrees(const Question& question) {
   }
 }
 
+namespace {
+
+/// One state with one term before it that is not 0: `|n\rangle`, or a number that is none of states. Kets are
+/// taken not to be 0.
+bool is_plainly_not_zero(const WordSum& sum, const CommutingParts& parts) {
+  if (sum.size() != 1 || sum.begin()->first.size() > 1 || sum.begin()->second.size() != 1) return false;
+  const auto& [word, coefficient] = *sum.begin();
+  const SymbolTable& symbols = parts.tree().symbols;
+  if (!word.empty() && !symbols[word[0].symbol].ket) return false;
+  return std::ranges::none_of(coefficient.begin()->first, [&](const auto& each) {
+    const auto letters = symbols_in(parts.tree(), parts.part(each.first));
+    return std::ranges::any_of(letters, [&](SymbolId letter) {
+      return symbols[letter].name.starts_with('#') || !symbols[letter].label.empty();
+    });
+  });
+}
+
+}  // namespace
+
 bool operators_deny(const Question& question, const Limits& limits) {
   if (question.claim.relation != Relation::equal || !is_about_operators(question)) return false;
   try {
@@ -506,6 +597,13 @@ bool operators_deny(const Question& question, const Limits& limits) {
     WordReader reader(own.question, own.parts, Unfolding::all, *limits.budget);
     WordRules rules(*limits.budget);
     add_rules(own, reader, sorted.of_operators, rules);
+    const Equation& claim = own.question.claim;
+    if (holds_states(*own.tree, claim.left) || holds_states(*own.tree, claim.right)) {
+      complete_as_far_as_possible(own, rules);
+      Positions used;
+      const std::vector<WordSum> left = normal_differences(own, reader, own.question.claim, rules, used);
+      return left.size() == 1 && is_plainly_not_zero(left[0], own.parts);
+    }
     rules.complete();
     bool denies = false;
     for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {

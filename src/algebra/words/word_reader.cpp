@@ -11,6 +11,7 @@
 
 #include "algebra/engine/undecidable.h"
 #include "algebra/words/matrix_parts.h"
+#include "algebra/words/state_words.h"
 #include "expr/tree/unsized.h"
 
 namespace rigor {
@@ -162,12 +163,12 @@ std::vector<WordSum> WordReader::read(ExprId id, const AxesOfIndices& axes) {
 /// `\sqrt{x^Tx}`, `\ln\det A`: of numbers that matrices make. Nothing where an operator is left.
 std::optional<WordSum> WordReader::function_of_numbers(ExprId id, const AxesOfIndices& axes) {
   const ExprNode node = tree()[id];
-  const bool fits =
-      node.op == Op::root || node.op == Op::function || node.op == Op::absolute || node.op == Op::real_power;
+  const bool fits = node.op == Op::root || node.op == Op::function || node.op == Op::absolute ||
+                    node.op == Op::real_power || node.op == Op::real_part || node.op == Op::imaginary_part;
   if (!fits) return std::nullopt;
   std::vector<ExprId> children;
   for (const ExprId child : std::vector<ExprId>(tree().children(id).begin(), tree().children(id).end())) {
-    const WordSum inside = with_numbers_out(reduced(read_scalar(child, axes)), parts_);
+    const WordSum inside = with_all_numbers_out(reduced(read_scalar(child, axes)));
     if (inside.size() > 1 || (inside.size() == 1 && !inside.begin()->first.empty())) return std::nullopt;
     children.push_back(
         as_expression(inside.empty() ? Coefficient{} : inside.begin()->second, parts_, node.span));
@@ -393,7 +394,7 @@ WordSum WordReader::quotient(ExprId id, const AxesOfIndices& axes) {
     if (!reciprocal.empty()) return scalar(reciprocal);
   }
   if (!reaches_operators(id)) return scalar(power_of_part(parts_.number_of(at_axes(id, axes)), -1));
-  return inverse_of(with_numbers_out(reduced(std::move(below)), parts_));
+  return inverse_of(with_all_numbers_out(reduced(std::move(below))));
 }
 
 /// The inverse of a product is that of its factors in the other order, if these have one.
@@ -474,6 +475,7 @@ WordSum WordReader::inverse_letter(const WordSum& below) {
 /// A rule can fit to a rotation of a word: of `tr BA` where AB = 0.
 Coefficient WordReader::trace(const WordSum& of, std::optional<ExprId> rows) {
   constexpr int most_rounds = 12;
+  if (holds_kets(of, tree())) return trace_of_states(of);
   WordSum sum = reduced(of);
   for (int round = 0; rules_ != nullptr && round < most_rounds; ++round) {
     const auto turned = rules_->reduce_rotations(sum, used_);
@@ -481,6 +483,24 @@ Coefficient WordReader::trace(const WordSum& of, std::optional<ExprId> rows) {
     sum = *turned;
   }
   return trace_of(sum, rows, parts_);
+}
+
+/// tr A|a⟩⟨b| = ⟨b|A|a⟩
+Coefficient WordReader::trace_of_states(const WordSum& of) {
+  WordSum numbers;
+  for (const auto& [whole, coefficient] : of) {
+    Word word = whole;
+    const auto bra = std::ranges::find_if(
+        word, [&](const Letter& letter) { return letter.adjoint && tree().symbols[letter.symbol].ket; });
+    if (bra == word.end()) throw Undecidable("the trace of an operator without states is not decided");
+    std::rotate(word.begin(), bra, word.end());
+    add_to(numbers, WordSum{{std::move(word), coefficient}});
+  }
+  numbers = with_all_numbers_out(reduced(std::move(numbers)));
+  if (numbers.empty()) return {};
+  if (numbers.size() != 1 || !numbers.begin()->first.empty())
+    throw Undecidable("the trace of what is no operator is not decided");
+  return numbers.begin()->second;
 }
 
 /// `a^Tb`, `\det A`: a number that matrices of any size make.
@@ -511,6 +531,10 @@ bool WordReader::knows_something() {
 
 WordSum WordReader::reduced(WordSum sum) {
   return rules_ == nullptr ? sum : rules_->reduce(std::move(sum), used_);
+}
+
+WordSum WordReader::with_all_numbers_out(const WordSum& sum) {
+  return with_brackets_out(with_numbers_out(sum, parts_), parts_, rules_, used_);
 }
 
 std::uint8_t WordReader::axis_of(const Slot& slot, const AxesOfIndices& axes) const {

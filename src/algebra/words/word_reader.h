@@ -76,7 +76,9 @@ class WordReader {
   [[nodiscard]] bool is_annihilated(SymbolId letter) const;
   [[nodiscard]] bool knows_something();
   [[nodiscard]] WordSum reduced(WordSum sum);
+  [[nodiscard]] WordSum with_all_numbers_out(const WordSum& sum);
   [[nodiscard]] Coefficient trace(const WordSum& of, std::optional<ExprId> rows);
+  [[nodiscard]] Coefficient trace_of_states(const WordSum& of);
   [[nodiscard]] std::optional<ExprId> squared(ExprId id);
   [[nodiscard]] WordSum dot(ExprId left, ExprId right, const AxesOfIndices& axes);
   [[nodiscard]] std::uint8_t axis_of(const Slot& slot, const AxesOfIndices& axes) const;

@@ -87,6 +87,8 @@ void WordRules::add_cancelling(const Letter& letter) {
 void WordRules::add(WordSum zero, Positions by) {
   zero = reduce(std::move(zero), by);
   if (zero.empty()) return;
+  const auto vanishes = [&](const auto& each) { return is_nearly_zero(each.second, *parts_); };
+  if (parts_ != nullptr && std::ranges::all_of(zero, vanishes)) return;
   const auto greatest = std::prev(zero.end());
   if (greatest->first.empty()) throw Contradiction();  // or they hold for some numbers only
   const Coefficient reciprocal = inverse(greatest->second, true);

@@ -28,6 +28,8 @@ struct WordRule {
 class WordRules {
  public:
   explicit WordRules(Budget& budget) : budget_(budget) {}
+  /// Laws of states lead to `\sqrt n\sqrt n - n`: what seems to vanish is no rule, and no contradiction.
+  void see_numbers(const CommutingParts& parts) { parts_ = &parts; }
 
   /// `zero` is 0 by these assumptions. Throws Undecidable where it says something of numbers only, or where
   /// its greatest word has a coefficient that may be 0.
@@ -50,6 +52,7 @@ class WordRules {
   void add_ends_of(const WordRule& first, const WordRule& second);
 
   Budget& budget_;
+  const CommutingParts* parts_ = nullptr;
   std::vector<WordRule> rules_;
 };
 

@@ -10,6 +10,7 @@
 
 #include "base/among.h"
 #include "check/question/base_letters.h"
+#include "expr/tree/state.h"
 
 namespace rigor {
 
@@ -18,6 +19,23 @@ namespace {
 std::size_t foreign_among(const std::set<SymbolId>& letters, const std::set<SymbolId>& known) {
   return static_cast<std::size_t>(
       std::ranges::count_if(letters, [&](SymbolId each) { return !known.contains(each); }));
+}
+
+/// A law for `|n\rangle` is one for `|0\rangle`: where a row has this ket, it shares that letter.
+void add_numbered_kets(const ExprTree& tree, std::set<SymbolId>& letters) {
+  std::set<std::size_t> sizes;
+  for (const SymbolId each : letters) {
+    const std::vector<LabelPart>& label = tree.symbols[each].label;
+    const bool numbered = std::ranges::any_of(
+        label, [](const LabelPart& part) { return part.letter.empty() || numbers_states(part); });
+    if (tree.symbols[each].ket && numbered) sizes.insert(label.size());
+  }
+  for (std::uint32_t k = 0; !sizes.empty() && k < tree.symbols.size(); ++k) {
+    const Symbol& symbol = tree.symbols[SymbolId{k}];
+    if (symbol.ket && sizes.contains(symbol.label.size()) &&
+        std::ranges::any_of(symbol.label, numbers_states))
+      letters.insert(SymbolId{k});
+  }
 }
 
 }  // namespace
@@ -29,6 +47,7 @@ Laws laws_that_bear(const ExprTree& tree, const NameScope& scope, const Equation
     std::pair<std::size_t, std::size_t> foreign;  // letters in all, and written ones
   };
   std::set<SymbolId> reached = base_letters(tree, scope, row);
+  add_numbered_kets(tree, reached);
   const std::set<SymbolId> own = written_letters(tree, row);
   std::vector<std::set<SymbolId>> letters_of;  // of the laws, in their order
   for (const PageLaw* law : available) letters_of.push_back(base_letters(tree, scope, law->equation));

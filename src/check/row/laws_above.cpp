@@ -24,6 +24,7 @@
 #include "check/word/prose_words.h"
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/name/function_value.h"
+#include "expr/tree/state.h"
 
 namespace rigor {
 namespace {
@@ -152,6 +153,7 @@ Factors factors_of_term(const ExprTree& tree, ExprId term) {
 /// `H\psi = E\psi`, `Pu = Pv`: who does not cancel what ends the terms, or a capital that begins them, does
 /// not mean a product of numbers. `mg = ma`, `mv^2/r = GMm/r^2` and `Mv^2 = Mgh` are some.
 bool keeps_an_operator(const RowPlace& place, const Equation& equation) {
+  if (holds_states(place.tree, equation.left) || holds_states(place.tree, equation.right)) return false;
   std::vector<Factors> terms;
   for (const ExprId side : {equation.left, equation.right}) {
     for (const SignedTerm& term : signed_terms(place.tree, side))
@@ -380,6 +382,28 @@ bool is_about_values(const RowPlace& place, const Equation& equation) {
   return found;
 }
 
+namespace {
+
+/// `\langle m|n\rangle`, and what it is for all states of a set.
+bool is_product_of_states(const ExprTree& tree, ExprId side) {
+  const auto is_ket = [&](ExprId id) {
+    return tree[id].op == Op::symbol && tree.symbols[tree[id].symbol].ket;
+  };
+  const ExprNode& node = tree[side];
+  return node.op == Op::multiply && node.count == 2 && is_ket(tree.children(side)[1]) &&
+         tree[tree.children(side)[0]].op == Op::conjugate && is_ket(tree.children(tree.children(side)[0])[0]);
+}
+
+/// `\langle 0|1\rangle = 0`, `\langle m|n\rangle = \delta_{mn}`: how states are chosen, once for all.
+bool chooses_states(const ExprTree& tree, const Equation& equation) {
+  const ExprNode& right = tree[equation.right];
+  return is_product_of_states(tree, equation.left) &&
+         (right.op == Op::number ||
+          (right.op == Op::symbol && is_kronecker_of_states(tree.symbols[right.symbol])));
+}
+
+}  // namespace
+
 bool states_values(const RowPlace& place, const ParsedChain& parsed, const ChainReading& reading) {
   const std::size_t last = reading.sides.size() - 1;
   if (last < 2 || !std::ranges::all_of(parsed.written.relations, [](const WrittenRelation& each) {
@@ -388,6 +412,7 @@ bool states_values(const RowPlace& place, const ParsedChain& parsed, const Chain
     return false;
   const auto is_value = [&](const ChainReading::Side& side) {
     const ExprTree& tree = place.tree;
+    if (side.typed && is_product_of_states(tree, side.typed->id)) return true;
     return side.typed && tree[side.typed->id].op == Op::symbol &&
            !tree.symbols[base_of(tree.symbols, tree[side.typed->id].symbol)].integral &&
            is_function_value(place.names, tree, tree[side.typed->id].symbol);
@@ -445,19 +470,20 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
       letter && !runs_along(place.names, place.tree, {.symbol = *letter, .body = equation.right}).empty();
   const bool lasts = of_values || runs ||
                      (!momentary && !is_of_a_spot(place) && says_that_a_field_vanishes(place, equation));
-  PageLaw law{.equation = equation,
-              .name = name_of_law(parsed.written.tag, relation, place.sources, word_of(standing)),
-              .span = relation,
-              .place = here.place,
-              .argument = here.argument,
-              .at_instant = (momentary || sets) && !lasts,
-              .of_a_case = in_a_case || ((momentary || sets) && !of_values && !runs) ||
-                           is_an_example(place) || beside_an_arrow ||
-                           is_of_a_passing_case(place, !operators) || is_value(place.tree, equation) ||
-                           determines_a_letter(place.tree, equation),
-              .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
-              .proves_only = !operators && is_one(place.tree, equation),
-              .standing = standing};
+  PageLaw law{
+      .equation = equation,
+      .name = name_of_law(parsed.written.tag, relation, place.sources, word_of(standing)),
+      .span = relation,
+      .place = here.place,
+      .argument = here.argument,
+      .at_instant = (momentary || sets) && !lasts,
+      .of_a_case = in_a_case || ((momentary || sets) && !of_values && !runs) || is_an_example(place) ||
+                   beside_an_arrow ||
+                   (is_of_a_passing_case(place, !operators) && !chooses_states(place.tree, equation)) ||
+                   is_value(place.tree, equation) || determines_a_letter(place.tree, equation),
+      .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
+      .proves_only = !operators && is_one(place.tree, equation),
+      .standing = standing};
   place.found.stated.push_back({.law = std::move(law),
                                 .labels = labels_of(parsed.written),
                                 .beginnings = beginnings_of_law(place.tree, equation),

@@ -32,6 +32,7 @@
 #include "check/word/prose_words.h"
 #include "elaborate/name/family.h"
 #include "expr/tree/path.h"
+#include "expr/tree/state.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -529,6 +530,14 @@ bool simplifies_a_fraction(const ExprTree& tree, const Equation& claim) {
          (is_simple(claim.right) && divides_by_a_sum(claim.left));
 }
 
+/// Of states much is not said: only what their laws deny is taken for a slip.
+bool is_open_row_of_states(RowPlace& place, const StepReading& row, const Claim& claim) {
+  const bool states =
+      holds_states(place.tree, claim.equation.left) || holds_states(place.tree, claim.equation.right);
+  return states && !is_denied_by_laws(place.tree, place.names, claim, available_to(place, row.parsed),
+                                      *place.options.cache);
+}
+
 void suspect(const Claim& claim, Repair repair, std::vector<std::string> uses, Judgement& judgement) {
   judgement.verdict = Verdict::suspect;
   judgement.route = "one slip of the pen away from what follows";
@@ -550,6 +559,7 @@ void suspect(const Claim& claim, Repair repair, std::vector<std::string> uses, J
 }  // namespace
 
 bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  if (is_open_row_of_states(place, row, claim)) return false;
   if (may_be_of_another_family(place, claim) || !may_hold_a_slip(place, row)) return false;
   const bool ordered = has_operators(place.tree, claim.equation.left);
   const bool some_matrices = why_not_all_matrices(place.tree, place.names, claim.equation).has_value();
@@ -656,7 +666,9 @@ bool is_told_what_is_near(const RowPlace& place, const StepReading& row, Verdict
 }
 
 void offer_what_is_near(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
-  if (judgement.restates || !is_told_what_is_near(place, row, judgement.verdict)) return;
+  if (judgement.restates || !is_told_what_is_near(place, row, judgement.verdict) ||
+      is_open_row_of_states(place, row, claim))
+    return;
   std::vector<TrueNeighbour> near = what_is_near(place, row, claim, false);
   const bool meant = !near.empty() && is_meant_to_follow(place, row, claim, judgement, near.front());
   if (meant) suspect(claim, near.front().repair, near.front().uses, judgement);

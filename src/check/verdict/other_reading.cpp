@@ -47,6 +47,13 @@ bool is_usual_real_beside_operators(std::string_view letter) {
   return is_one_of(letter, reals);
 }
 
+/// E of `E_n|n\rangle`, n itself, and angles: beside states they are real numbers.
+bool is_usual_real_beside_states(std::string_view letter, const Evidence& evidence) {
+  static constexpr auto reals =
+      std::to_array<std::string_view>({"E", "\\phi", "\\varphi", "\\vartheta", "\\Delta", "\\Phi"});
+  return evidence.states && (is_one_of(letter, reals) || evidence.state_labels.contains(std::string(letter)));
+}
+
 /// Beside operators any other letter may be one, too: V of `H = p^2/2m + V`. A proof takes it for a number.
 std::optional<OtherReading> beside_operators(const Question& question, const Names& names) {
   const ExprTree& tree = *question.tree;
@@ -70,10 +77,11 @@ std::optional<OtherReading> beside_operators(const Question& question, const Nam
     const std::string letter = without_labels(key->base);
     const bool defined = definition_in(question, symbol) != nullptr;
     const bool number = evidence.declared_real.contains(key->base) || evidence.real.contains(letter) ||
-                        known.complex || is_usual_number_beside_operators(letter);
+                        known.complex || is_usual_number_beside_operators(letter) ||
+                        is_usual_real_beside_states(letter, evidence);
     if (!number && !defined) open.insert(symbol);
-    const bool real =
-        known.complex || evidence.real.contains(letter) || is_usual_real_beside_operators(letter);
+    const bool real = known.complex || evidence.real.contains(letter) ||
+                      is_usual_real_beside_operators(letter) || is_usual_real_beside_states(letter, evidence);
     if (conjugates && !real && !defined) complex.insert(symbol);
   }
   if (!open.empty())

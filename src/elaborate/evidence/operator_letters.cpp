@@ -10,6 +10,7 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "elaborate/evidence/evidence.h"
+#include "expr/tree/state.h"
 
 namespace rigor {
 namespace {
@@ -142,6 +143,186 @@ void add_what_is_made_of_operators(Evidence& evidence) {
   }
 }
 
+/// What side by side kets, bras and letters make, as far as the signs show.
+enum class WrittenShape : std::uint8_t { other, ket, bra, operators };
+
+bool is_state(const SyntaxTree& syntax, SyntaxId id, const char* kind) {
+  return syntax[id].kind == SyntaxKind::function && syntax.text(id) == kind;
+}
+
+/// Recursion: as deep as the tree.
+WrittenShape shape_of_states(const SyntaxTree& syntax, SyntaxId id) {
+  using enum WrittenShape;
+  const SyntaxNode& node = syntax[id];
+  if (is_state(syntax, id, "ket")) return ket;
+  if (is_state(syntax, id, "bra")) return bra;
+  if (node.kind == SyntaxKind::group || node.kind == SyntaxKind::big_sum || node.kind == SyntaxKind::sum ||
+      node.kind == SyntaxKind::fraction)
+    return shape_of_states(syntax, syntax.child(id, 0));
+  if (node.kind != SyntaxKind::term) return other;
+  WrittenShape shape = other;
+  for (const SyntaxChild& child : syntax.children(id)) {
+    const WrittenShape next = shape_of_states(syntax, child.id);
+    if (next == other) continue;
+    if (shape == ket && next == bra) {
+      shape = operators;
+    } else if (shape == bra && next == ket) {
+      shape = other;
+    } else if (next == ket || next == bra) {
+      shape = next;
+    } else if (shape == other) {
+      shape = next;
+    }
+  }
+  return shape;
+}
+
+/// Numbers before a ket: energies, and what is usually none but real.
+bool is_usual_real_before_states(const WrittenSymbol& symbol) {
+  static constexpr auto reals = std::to_array<std::string_view>(
+      {"E",       "m",       "M",       "n",        "N",          "k",     "l",       "j",       "t", "T",
+       "\\hbar",  "\\omega", "\\Omega", "\\theta",  "\\epsilon",  "\\pi",  "\\mu",    "\\nu",    "g", "B",
+       "\\Delta", "\\delta", "\\tau",   "\\varphi", "\\phi",      "i",     "e",       "x",       "r", "p",
+       "J",       "s",       "L",       "\\lambda", "\\vartheta", "\\Phi", "\\kappa", "\\Lambda"});
+  return is_one_of(symbol.letter, reals);
+}
+
+/// H of `H|n\rangle`: what is written so is an operator wherever it stands. Other capitals can be amplitudes.
+bool acts_everywhere(const WrittenSymbol& symbol) {
+  static constexpr auto acting = std::to_array<std::string_view>(
+      {"H", "U", "V", "P", "L", "J", "S", "X", "Y", "Z", "Q", "K", "W", "O", "\\sigma", "\\rho"});
+  return symbol.accent == Accent::hat || is_one_of(symbol.letter, acting);
+}
+
+bool is_never_operator(const WrittenSymbol& symbol) {
+  static constexpr auto numbers = std::to_array<std::string_view>(
+      {"E",     "\\lambda", "\\alpha", "\\beta", "\\gamma", "\\epsilon", "\\omega", "n",
+       "m",     "k",        "l",       "j",      "t",       "\\theta",   "\\phi",   "\\varphi",
+       "\\psi", "c",        "e",       "\\mu",   "\\nu",    "\\Delta",   "\\delta"});
+  return symbol.accent != Accent::hat && (is_one_of(symbol.letter, numbers) || is_constant_of_nature(symbol));
+}
+
+/// The letter of `a`, `a^\dagger`, `\hat p^2`; nothing of all else.
+const WrittenSymbol* letter_of_factor(const SyntaxTree& syntax, SyntaxId id) {
+  while (syntax[id].kind == SyntaxKind::power || is_adjoint(syntax, id) ||
+         (syntax[id].kind == SyntaxKind::group && syntax[id].count == 1))
+    id = syntax.child(id, 0);
+  return syntax[id].kind == SyntaxKind::symbol ? &syntax.symbol(id) : nullptr;
+}
+
+/// L of `L^2|l, m\rangle` is the square of L_z and its like, where these are about.
+void add_letter_beside_states(const WrittenSymbol& symbol, Evidence& evidence) {
+  if (symbol.face != Face::plain) return add_letter(symbol, evidence);
+  const std::string letter = letter_with_marks(symbol);
+  evidence.state_operators.insert(with_labels(letter, symbol.lower));
+  static constexpr auto axes = std::to_array<std::string_view>({"x", "y", "z"});
+  if (symbol.lower.size() == 1 && is_one_of(symbol.lower[0].text, axes))
+    evidence.operator_families.insert(letter);
+}
+
+/// The letters between a bra and a ket, where brackets may be around a sum.
+void add_letters_between(const SyntaxTree& syntax, SyntaxId id, bool alone, Evidence& evidence) {
+  const SyntaxNode& node = syntax[id];
+  if (const WrittenSymbol* letter = letter_of_factor(syntax, id)) {
+    const bool many =
+        may_be_of_many(*letter) || acts_everywhere(*letter) ||
+        is_one_of(letter->letter, std::array<std::string_view, 6>{"a", "b", "x", "p", "q", "r"});
+    if (!is_never_operator(*letter) && (alone || many)) add_letter_beside_states(*letter, evidence);
+    return;
+  }
+  if (node.kind != SyntaxKind::group && node.kind != SyntaxKind::sum && node.kind != SyntaxKind::term &&
+      node.kind != SyntaxKind::fraction)
+    return;
+  const bool only = node.kind != SyntaxKind::term && node.kind != SyntaxKind::fraction;
+  for (const SyntaxChild& child : syntax.children(id)) {
+    if (node.kind == SyntaxKind::fraction && child.id != syntax.child(id, 0)) continue;
+    add_letters_between(syntax, child.id, alone && only, evidence);
+  }
+}
+
+/// c_n of `c_n|n\rangle`: a complex number.
+void add_amplitude(const SyntaxTree& syntax, SyntaxId id, Evidence& evidence) {
+  if (syntax[id].kind == SyntaxKind::fraction || syntax[id].kind == SyntaxKind::group ||
+      syntax[id].kind == SyntaxKind::sum || syntax[id].kind == SyntaxKind::term) {
+    for (const SyntaxChild& child : syntax.children(id)) add_amplitude(syntax, child.id, evidence);
+    return;
+  }
+  if (syntax[id].kind == SyntaxKind::function && syntax.text(id) == "conjugate") id = syntax.child(id, 0);
+  if (syntax[id].kind != SyntaxKind::symbol) return;
+  const WrittenSymbol& symbol = syntax.symbol(id);
+  if (symbol.face != Face::plain || symbol.accent == Accent::hat || is_usual_real_before_states(symbol))
+    return;
+  evidence.complex_numbers.insert(complex_name(symbol));
+}
+
+/// Operators and amplitudes of one product. `leads`: it is a whole side, the first of its row.
+void see_product_of_states(const SyntaxTree& syntax, SyntaxId term, bool leads, Evidence& evidence) {
+  const auto factors = syntax.children(term);
+  std::vector<WrittenShape> shapes;
+  for (const SyntaxChild& child : factors) shapes.push_back(shape_of_states(syntax, child.id));
+  const auto is_kind = [&](std::size_t k, WrittenShape shape) {
+    return k < shapes.size() && shapes[k] == shape;
+  };
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    if (!is_kind(k, WrittenShape::bra)) continue;
+    std::size_t end = k + 1;
+    while (end < factors.size() && shapes[end] == WrittenShape::other) ++end;
+    if (!is_kind(end, WrittenShape::ket)) continue;
+    for (std::size_t each = k + 1; each < end; ++each)
+      add_letters_between(syntax, factors[each].id, end == k + 2, evidence);
+  }
+  const bool whole_ket = shape_of_states(syntax, term) == WrittenShape::ket;
+  const bool whole_bra = shape_of_states(syntax, term) == WrittenShape::bra;
+  if (!whole_ket && !whole_bra) return;
+  bool any_operator = false;
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    if (shapes[k] != WrittenShape::other) continue;
+    const WrittenSymbol* letter = letter_of_factor(syntax, factors[k].id);
+    if (letter == nullptr) {
+      if (!any_operator) add_amplitude(syntax, factors[k].id, evidence);
+      continue;
+    }
+    const bool beside = whole_ket ? true : k > 0;
+    const bool first = leads && k == 0 && whole_ket && !is_never_operator(*letter);
+    const bool adjoint = is_adjoint(syntax, factors[k].id);
+    if (beside && (first || adjoint || any_operator || acts_everywhere(*letter)) &&
+        !is_never_operator(*letter)) {
+      add_letter_beside_states(*letter, evidence);
+      any_operator = true;
+    } else {
+      add_amplitude(syntax, factors[k].id, evidence);
+    }
+  }
+}
+
+/// What kets and bras show: letters that act on them, amplitudes, and letters that number them. Are there
+/// some that make no operator?
+bool see_states(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+  bool any = false;
+  for (const SyntaxId id : nodes_below(syntax, sides)) {
+    if (!is_state(syntax, id, "ket") && !is_state(syntax, id, "bra")) continue;
+    any = true;
+    for (const LabelPart& part : label_of(syntax.text(syntax.child(id, 0)))) {
+      if (numbers_states(part)) evidence.state_labels.insert(part.letter);
+    }
+  }
+  if (!any) return false;
+  evidence.states = true;
+  evidence.operators = true;
+  evidence.speaks_of_operators = true;
+  for (const SyntaxId id : nodes_below(syntax, sides)) {
+    if (syntax[id].kind == SyntaxKind::term) see_product_of_states(syntax, id, id == sides[0], evidence);
+  }
+  const bool makes_operator = std::ranges::any_of(
+      sides, [&](SyntaxId side) { return shape_of_states(syntax, side) == WrittenShape::operators; });
+  if (!makes_operator) return true;
+  for (const SyntaxId side : sides) {
+    const WrittenSymbol* letter = letter_of_factor(syntax, side);
+    if (letter != nullptr && !is_constant_of_nature(*letter)) add_letter_beside_states(*letter, evidence);
+  }
+  return false;
+}
+
 }  // namespace
 
 void see_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
@@ -153,8 +334,10 @@ void see_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
     if (!is_pair_in_brackets(syntax[id])) continue;
     for (const SyntaxChild& child : syntax.children(id)) add_letters(syntax, child.id, true, evidence);
   }
+  const bool of_numbers = see_states(syntax, sides, evidence);
   for (const SyntaxId side : sides) {
-    if (syntax[side].kind != SyntaxKind::symbol || is_constant_of_nature(syntax.symbol(side))) continue;
+    if (of_numbers || syntax[side].kind != SyntaxKind::symbol || is_constant_of_nature(syntax.symbol(side)))
+      continue;
     const WrittenSymbol& symbol = syntax.symbol(side);
     if (symbol.face != Face::plain) continue;
     std::set<std::string>& names = evidence.set_equal[with_labels(letter_with_marks(symbol), symbol.lower)];
@@ -198,11 +381,17 @@ void settle_operators(Evidence& evidence) {
     const bool matrices = is_written_out(letter) || (triple && !triple->usual);
     if (!matrices) evidence.noncommuting_triples.insert(letter);
   }
+  for (const std::string& name : evidence.state_operators) {
+    if (!is_written_out(name) && !evidence.declared_real.contains(name) &&
+        !evidence.noncommuting_triples.contains(name))
+      evidence.noncommuting.insert(name);
+  }
   add_what_is_made_of_operators(evidence);
   // Beside operators nobody writes a current or an index on the line.
   const bool any = !evidence.noncommuting.empty() || !evidence.noncommuting_triples.empty();
   const bool triples = evidence.speaks_of_pauli || !evidence.triples.empty();
-  if ((any || triples) && !evidence.no_units.contains("i")) evidence.imaginary_units.insert("i");
+  if ((any || triples || evidence.states) && !evidence.no_units.contains("i"))
+    evidence.imaginary_units.insert("i");
   if (!evidence.operators) return;
   for (const std::string& letter : evidence.hatted) {
     if (!is_usual_unit_vector(letter) && !is_written_out(letter)) evidence.noncommuting.insert(letter);

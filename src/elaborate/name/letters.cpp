@@ -57,6 +57,7 @@ void read_definite(const SyntaxTree& syntax, SyntaxId id, const Names& names, Le
   if (kind == SyntaxKind::symbol) {
     const WrittenSymbol& symbol = syntax.symbol(id);
     const auto triple = triple_of_member(*names.symbols.evidence, symbol);
+    if (is_kronecker_of_states(symbol, *names.symbols.evidence)) return;
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol) || triple)
       found = latin_letters(symbol.lower);
   } else if (kind == SyntaxKind::component) {
@@ -194,6 +195,8 @@ void read_counters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
     }
   });
   counters.merge(here);
+  const std::set<std::string>& numbers = names.symbols.evidence->state_labels;
+  counters.insert(numbers.begin(), numbers.end());
   std::ranges::copy_if(counters, std::inserter(letters.labels, letters.labels.end()),
                        [&](const std::string& letter) { return !letters.indices.contains(letter); });
 }
@@ -475,6 +478,22 @@ WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, cons
   name.base = with_labels(letter_with_marks(symbol), labels);
   if (!labels_behind.empty()) name.base += with_labels("{}", labels_behind);
   return name;
+}
+
+bool is_kronecker_of_states(const WrittenSymbol& symbol, const Evidence& evidence) {
+  if (!is_kronecker(symbol) || symbol.lower.size() != 2) return false;
+  bool any = false;
+  for (const WrittenIndex& index : symbol.lower) {
+    const std::vector<std::string> counters = counters_in(index);
+    const bool number = index.form == IndexForm::digit;
+    const bool of_states = evidence.state_labels.contains(index.text) ||
+                           (!counters.empty() && std::ranges::all_of(counters, [&](const std::string& each) {
+                             return evidence.state_labels.contains(each);
+                           }));
+    if (!number && !of_states) return false;
+    any = any || of_states;
+  }
+  return any;
 }
 
 bool is_kronecker(const WrittenSymbol& symbol) {

@@ -76,6 +76,8 @@ struct WrittenName {
 /// ∇, ∇² or (A·∇).
 [[nodiscard]] bool acts_as_operator(const SyntaxTree& syntax, SyntaxId id);
 [[nodiscard]] bool is_kronecker(const WrittenSymbol& symbol);
+/// `\delta_{mn}` where m or n numbers states.
+[[nodiscard]] bool is_kronecker_of_states(const WrittenSymbol& symbol, const Evidence& evidence);
 [[nodiscard]] bool is_levi_civita(const WrittenSymbol& symbol);
 /// `\mathbf{e}_i`, `\hat{e}_x`: a vector of the basis.
 [[nodiscard]] bool is_basis_family(const WrittenSymbol& symbol);

@@ -270,6 +270,7 @@ class RankReader {
   RankSet function(SyntaxId id) {
     const std::string& name = syntax_.text(id);
     if (name == "O") return unread(syntax_[id].span, "`O(…)` has the rank of what is next to it");
+    if (name == "ket" || name == "bra") return scalar;
     const RankSet inside = read(syntax_.child(id, 0));
     if (is_one_of(name, {"D/Dt", "conjugate", "bar", "Re", "Im", "average"})) return inside;
     if (name == "transpose" || name == "adjoint" || name == "diag") return any_rank;

@@ -9,6 +9,7 @@
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/summation.h"
 #include "elaborate/symbol/axes.h"
+#include "expr/tree/state.h"
 #include "expr/tree/unsized.h"
 
 namespace rigor {
@@ -55,6 +56,17 @@ MaybeTyped bars_of_unsized(Reading& reading, const Typed& inside, bool norm, Spa
   return apply_op(tree, Op::root, span, 0, {apply_op(tree, Op::multiply, span, 0, {row, inside})});
 }
 
+/// √⟨a|a⟩, and |⟨a|b⟩|
+MaybeTyped bars_of_states(Reading& reading, const Typed& inside, bool norm, Span span) {
+  ExprTree& tree = reading.tree;
+  const StateShape shape = state_shape(tree, inside.id);
+  if (shape == StateShape::number && !norm) return apply_op(tree, Op::absolute, span, 0, {inside});
+  if (shape != StateShape::ket)
+    return unsupported(reading, span, "bars are read around kets and around numbers that states make");
+  const Typed bra = apply_op(tree, Op::conjugate, span, 0, {inside});
+  return apply_op(tree, Op::root, span, 0, {apply_op(tree, Op::multiply, span, 0, {bra, inside})});
+}
+
 }  // namespace
 
 MaybeTyped elaborate_bars(Reading& reading, SyntaxId id, const Around& around) {
@@ -68,6 +80,7 @@ MaybeTyped elaborate_bars(Reading& reading, SyntaxId id, const Around& around) {
     return norm ? unsupported(reading, span, "the norm of a tensor is not decided")
                 : determinant_of(reading, id, *inside, span, around);
   if (is_unsized(reading.tree, inside->id)) return bars_of_unsized(reading, *inside, norm, span);
+  if (holds_states(reading.tree, inside->id)) return bars_of_states(reading, *inside, norm, span);
   if (norm) return wrong_rank(reading, span, "a norm of a scalar", {"`|…|` is the absolute value"});
   if (inside->free.size() == 2) {
     if (names_a_tensor(reading.syntax, part)) return determinant_of(reading, part, *inside, span, around);

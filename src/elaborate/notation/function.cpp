@@ -139,6 +139,7 @@ MaybeTyped elaborate_function(Reading& reading, SyntaxId id, const Around& aroun
   const Span span = reading.syntax[id].span;
   if (is_part_of_complex(name)) return elaborate_part(reading, id, around);
   if (name == "average") return elaborate_average(reading, id, around);
+  if (name == "ket" || name == "bra") return elaborate_state(reading, id);
   if (name == "D/Dt") return material_rate(reading, argument, span, around);
   if (name == "O")
     return unsupported(reading, span,

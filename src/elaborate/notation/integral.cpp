@@ -16,6 +16,7 @@
 #include "elaborate/symbol/symbol.h"
 #include "expr/print/print_latex.h"
 #include "expr/tree/same_expression.h"
+#include "expr/tree/state.h"
 
 namespace rigor {
 namespace {
@@ -76,7 +77,9 @@ bool is_averaged_over(Reading& reading, SymbolId variable, ExprId integrand, Spa
     return average && average->average && std::ranges::any_of(letters_in(tree, average->integrand), speaks);
   });
   if (hidden) unsupported(reading, span, "what an integral or a sum runs over stands inside an average");
-  return hidden;
+  const bool states = holds_states(tree, integrand);
+  if (states && !hidden) unsupported(reading, span, "integrals and sums over states are not decided");
+  return hidden || states;
 }
 
 /// `Q = CU` above `\int U\,dQ`: does a letter of the integrand change with the variable?

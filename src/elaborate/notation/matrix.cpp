@@ -14,6 +14,7 @@
 #include "elaborate/reading/matrix_product.h"
 #include "elaborate/reading/triple.h"
 #include "elaborate/symbol/named_symbol.h"
+#include "expr/tree/state.h"
 #include "expr/tree/unsized.h"
 
 namespace rigor {
@@ -52,6 +53,8 @@ std::optional<std::vector<Typed>> entries_of(Reading& reading, std::span<const S
       return unsupported(reading, span, "a free index inside a matrix or tuple is not decided");
     if (is_unsized(reading.tree, entry->id) && unsized_shape(reading.tree, entry->id) != UnsizedShape::number)
       return unsupported(reading, span, "a matrix of matrices is not read; write its entries out");
+    if (holds_states(reading.tree, entry->id))
+      return unsupported(reading, span, "a matrix or column of what states make is not decided");
     const bool block = reading.names.symbols.evidence->unsized.speaks_of_blocks &&
                        reading.syntax[child.id].kind == SyntaxKind::symbol &&
                        is_capital_letter(reading.syntax.symbol(child.id).letter);
@@ -324,6 +327,10 @@ MaybeTyped trace_or_determinant(Reading& reading, SyntaxId id, bool trace, const
     if (const auto rows = rows_of_unsized(reading, inside->id, span)) operands.push_back(*rows);
     return apply_op(reading.tree, trace ? Op::trace : Op::matrix_determinant, span, 0, operands);
   }
+  const bool states = reading.names.symbols.evidence->states && inside->rank == 0 &&
+                      inside->layout == Layout::none && has_operators(reading.tree, inside->id);
+  if (trace && states && state_shape(reading.tree, inside->id) == StateShape::operators)
+    return apply_op(reading.tree, Op::trace, span, 0, {*inside});
   if (!trace) return determinant_of(reading, id, *inside, span, around);
   if (is_triple(*inside))
     return of_each_member(reading, *inside, span,

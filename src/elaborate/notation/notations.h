@@ -24,6 +24,8 @@ ReadPart elaborate_counted_sum;                                     // integral.
 ReadPart elaborate_term;                                            // term.cpp
 ReadPart elaborate_unit;                                            // unit.cpp
 
+/// A ket or a bra, by its name.
+[[nodiscard]] MaybeTyped elaborate_state(Reading& reading, SyntaxId id);  // operators.cpp
 /// A star, a bar over an expression, `\Re` or `\Im`.
 [[nodiscard]] bool is_part_of_complex(std::string_view function);
 /// r of `U(r) = …`, where that stands above, maybe in another section; primes and dots are passed over.

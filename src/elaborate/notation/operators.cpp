@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commutators and anticommutators. Which letters are operators the section shows
+// Commutators and anticommutators, kets and bras. Which letters are operators the section shows
 // (`evidence/operator_letters.cpp`); where it does not, a pair in brackets is not understood.
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/product.h"
 #include "expr/print/print_latex.h"
+#include "expr/tree/state.h"
 
 namespace rigor {
 namespace {
@@ -51,6 +52,15 @@ MaybeTyped elaborate_pair(Reading& reading, SyntaxId id, const Around& around) {
   if (left->rank != 0 || right->rank != 0)
     return unsupported(reading, node.span, "a commutator with a vector is not read; write its components");
   return both_orders(reading, *left, *right, square, node.span);
+}
+
+MaybeTyped elaborate_state(Reading& reading, SyntaxId id) {
+  const Span span = reading.syntax[id].span;
+  const SymbolId ket =
+      symbol_of_ket(reading.tree, label_of(reading.syntax.text(reading.syntax.child(id, 0))), span);
+  const Typed typed{.id = reading.tree.add({.op = Op::symbol, .span = span, .symbol = ket})};
+  if (reading.syntax.text(id) == "ket") return typed;
+  return apply_op(reading.tree, Op::conjugate, span, 0, {typed});
 }
 
 }  // namespace rigor

@@ -7,6 +7,7 @@
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/equation.h"
 #include "elaborate/reading/matrix_product.h"
+#include "expr/tree/state.h"
 
 namespace rigor {
 namespace {
@@ -137,6 +138,8 @@ MaybeTyped elaborate_big_sum(Reading& reading, SyntaxId id, const Around& around
     node.rank = static_cast<std::uint8_t>(body->rank);
     body->id = reading.tree.add(node, std::span(&body->id, 1));
   }
+  if (body && holds_states(reading.tree, body->id))
+    return unsupported(reading, reading.syntax[id].span, "sums over states are not decided");
   return body;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "elaborate/reading/matrix_product.h"
+#include "expr/tree/state.h"
 #include "expr/tree/unsized.h"
 
 namespace rigor {
@@ -118,6 +119,62 @@ bool same_shape(const Reading& reading, ExprId first, ExprId other, const char* 
   return false;
 }
 
+const char* name_of_shape(StateShape shape) {
+  switch (shape) {
+    case StateShape::number:
+      return "a number";
+    case StateShape::operators:
+      return "an operator";
+    case StateShape::ket:
+      return "a ket";
+    case StateShape::bra:
+      return "a bra";
+    case StateShape::none:
+      break;
+  }
+  return "a product of kets and bras that is not read";
+}
+
+/// A ket equals a ket. A number can stand for a multiple of the unit operator.
+bool same_kind_of_state(const Reading& reading, ExprId first, ExprId other, const char* what,
+                        const Mismatch& mismatch) {
+  const ExprTree& tree = reading.tree;
+  const bool one_holds = holds_states(tree, first);
+  const bool other_holds = holds_states(tree, other);
+  if (!one_holds && !other_holds) return true;
+  const StateShape one = state_shape(tree, first);
+  const StateShape two = state_shape(tree, other);
+  const bool zero = tree.is_zero_literal(first) || tree.is_zero_literal(other);
+  const bool none = one == StateShape::none || two == StateShape::none;
+  const auto is_unit = [](StateShape number, bool holds, StateShape of) {
+    return number == StateShape::number && !holds && of == StateShape::operators;
+  };
+  const bool unit = is_unit(one, one_holds, two) || is_unit(two, other_holds, one);
+  if (!none && (zero || one == two || unit)) return true;
+  mismatch.diagnostics.push_back(
+      {DiagnosticKind::ambiguous_reading,
+       mismatch.relation,
+       fmt::format("one {} is {}, the other is {}", what, name_of_shape(two), name_of_shape(one)),
+       {{tree[first].span, name_of_shape(one)}}});
+  return false;
+}
+
+/// Of δ with the numbers of states nothing is known but what the laws of a row with kets say.
+void guess_numbers_of_states(Reading& reading, const Equation& equation) {
+  const ExprTree& tree = reading.tree;
+  if (reading.found.guess || holds_states(tree, equation.left) || holds_states(tree, equation.right)) return;
+  for (const ExprId side : {equation.left, equation.right}) {
+    for (const SymbolId each : symbols_in(tree, side)) {
+      if (is_kronecker_of_states(tree.symbols[each]))
+        reading.found.guess = Obstacle{
+            DiagnosticKind::ambiguous_reading,
+            fmt::format("`{}` is δ of two states, which is not decided with where no state is written",
+                        tree.symbols[each].name),
+            {}};
+    }
+  }
+}
+
 }  // namespace
 
 bool same_type(const Reading& reading, const Typed& first, const Typed& other, const char* what,
@@ -137,6 +194,7 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
          {{first_span, kind_of(first)}}});
     return false;
   }
+  if (!same_kind_of_state(reading, first.id, other.id, what, mismatch)) return false;
   if (!same_shape(reading, first.id, other.id, what, mismatch)) return false;
   if (reading.tree[first.id].axes != reading.tree[other.id].axes) {
     const bool tables = first.layout != Layout::none && other.layout != Layout::none;
@@ -194,6 +252,7 @@ std::optional<Equation> equate(Reading& reading, const Typed& one, const Typed& 
   merge_free(particles, right.particles);
   for (const FreeParticle& free : particles) equation.particles.push_back(free.id);
   guess_different_indices(reading, equation);
+  guess_numbers_of_states(reading, equation);
   return equation;
 }
 

@@ -8,6 +8,7 @@
 #include "elaborate/reading/matrix_product.h"
 #include "elaborate/reading/summation.h"
 #include "elaborate/reading/triple.h"
+#include "expr/tree/state.h"
 #include "expr/tree/unsized.h"
 
 namespace rigor {
@@ -250,7 +251,9 @@ MaybeTyped divide(Reading& reading, const Typed& dividend, const Typed& divisor,
                        fmt::format("the index `{}` in a denominator is not decided", divisor.free[0].letter));
   }
   const bool number =
-      is_unsized(reading.tree, divisor.id) && unsized_shape(reading.tree, divisor.id) == UnsizedShape::number;
+      (is_unsized(reading.tree, divisor.id) &&
+       unsized_shape(reading.tree, divisor.id) == UnsizedShape::number) ||
+      (holds_states(reading.tree, divisor.id) && state_shape(reading.tree, divisor.id) == StateShape::number);
   if (has_operators(reading.tree, divisor.id) && !number)
     return ambiguous(reading, span, "the inverse of an operator can stand on either side",
                      {"write `A^{-1}` on its side"});

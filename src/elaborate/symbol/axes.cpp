@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "elaborate/reading/summation.h"
+#include "expr/tree/state.h"
 
 namespace rigor {
 namespace {
@@ -110,6 +111,13 @@ MaybeTyped primed_basis_vector(Reading& reading, const WrittenIndex& axis, Span 
 }
 
 MaybeTyped unit_tensor(Reading& reading, const WrittenSymbol& written, Span span, const Around& around) {
+  if (is_kronecker_of_states(written, *reading.names.symbols.evidence)) {
+    const auto part = [&](const WrittenIndex& index) {
+      return label_of(index.text + std::string(index.primes, '\'')).front();
+    };
+    return Typed{.id =
+                     kronecker_of_states(reading.tree, part(written.lower[0]), part(written.lower[1]), span)};
+  }
   const auto primed = static_cast<std::size_t>(
       std::ranges::count_if(written.lower, [](const auto& axis) { return axis.primes > 0; }));
   auto read = subscript(reading, written.lower, span, around);

@@ -99,6 +99,10 @@ LatexPrinter::Piece LatexPrinter::piece(ExprId id) {
     case Op::imaginary_unit:
       return {notation_.imaginary_unit};
     case Op::conjugate:
+      if (is_ket(child(id))) {
+        const std::string& ket = tree_.symbols[tree_[child(id)].symbol].name;
+        return {"\\langle " + ket.substr(1, ket.size() - 8) + "|"};
+      }
       return raised(id, has_operators(tree_, id) ? "^\\dagger" : "^*");
     case Op::real_part:
     case Op::imaginary_part: {

@@ -64,6 +64,7 @@ class LatexPrinter {
             const Piece& next_piece) const;
   bool reads_as_argument(ExprId before, ExprId next, const Piece& next_piece) const;
   bool is_plain_letter(ExprId id) const;
+  [[nodiscard]] bool is_ket(ExprId id) const;
   bool is_unit(ExprId id) const;
   Piece unit(ExprId id, bool behind_number);
   Piece index_sum(ExprId id);

@@ -8,6 +8,7 @@
 #include "base/among.h"
 #include "expr/print/latex_printer.h"
 #include "expr/tree/path.h"
+#include "expr/tree/state.h"
 
 namespace rigor {
 namespace {
@@ -86,6 +87,7 @@ bool LatexPrinter::names_another(SymbolId base, const LatexName& name, std::span
 LatexPrinter::Piece LatexPrinter::plain_symbol(SymbolId base, const ExprNode& node,
                                                std::span<const Slot> slots, int dots) const {
   const Symbol& symbol = tree_.symbols[base];
+  if (symbol.ket || is_kronecker_of_states(symbol)) return {symbol.name};
   const LatexName name = name_of(base);
   const bool whole = slots.empty() && node.op != Op::length;
   std::string particle;
@@ -114,7 +116,7 @@ LatexPrinter::Piece LatexPrinter::plain_symbol(SymbolId base, const ExprNode& no
 
 /// `\frac{dx}{dt}`, and `\frac{d}{dt}\frac{\partial L}{\partial x}` of what is a derivative already.
 LatexPrinter::Piece LatexPrinter::differentiated(Piece of, std::string above, const std::string& below) {
-  if (of.text.starts_with("\\frac") || of.text.starts_with("\\left("))
+  if (of.text.starts_with("\\frac") || of.text.starts_with("\\left(") || of.text.starts_with('|'))
     return {fmt::format("\\frac{{{}}}{{{}}}{}", above, below, of.text), Level::factor, true};
   if (above.starts_with('\\') && of.text.front() != '\\') above += ' ';
   append_latex(above, of.text);
@@ -148,7 +150,7 @@ LatexPrinter::Piece LatexPrinter::derivative(ExprId id, const Symbol& symbol) {
   const bool field = notation_.fields.contains(base) || axes > 0;
   const bool in_frame = notation_.frame && slots.empty() && tree_.symbols[base].rank > 0;
   const bool letters = symbol.order() > rates + axes + symbol.order(By::small);
-  const int dots = field || in_frame || letters ? 0 : rates;
+  const int dots = field || in_frame || letters || tree_.symbols[base].ket ? 0 : rates;
   Piece result = plain_symbol(base, node, slots.first(own), dots);
   if (symbol.order(By::small) > 0) {
     result.text = std::string(symbol.name);

@@ -59,6 +59,12 @@ LatexPrinter::Piece LatexPrinter::term(ExprId id) {
                                  tree_[operands[k - 1].id].rank == 0 && !text.ends_with("\\,") &&
                                  !next.bracketed;
     if (product_follows) text += "\\,";
+    const bool closes = k > 0 && tree_[operands[k - 1].id].op == Op::conjugate &&
+                        is_ket(child(operands[k - 1].id)) && is_ket(each);
+    if (closes) {  // `\langle a|b\rangle`
+      next.text.erase(0, 1);
+      while (text.back() != '|') text.pop_back();
+    }
     append_latex(text, next.text);
     open = next.open;
     before = std::move(next);
@@ -123,6 +129,11 @@ bool LatexPrinter::reads_as_argument(ExprId before, ExprId next, const Piece& ne
     for (const ExprId each : tree_.children(id)) open.push_back(each);
   }
   return coordinate;
+}
+
+bool LatexPrinter::is_ket(ExprId id) const {
+  return tree_[id].op == Op::symbol && tree_.symbols[tree_[id].symbol].ket &&
+         !tree_.symbols[tree_[id].symbol].derivation;
 }
 
 /// One letter with its scripts, no face: `a`, `A_i`, `S_{ii}`.

@@ -64,11 +64,16 @@ void fields(Archive& archive, Derivation& derivation) {
 }
 
 template <class Archive>
+void fields(Archive& archive, LabelPart& part) {
+  archive(part.letter, part.mark, part.number);
+}
+
+template <class Archive>
 void fields(Archive& archive, Symbol& symbol) {
   bool measures = symbol.unit_of_measure.has_value();
   archive(symbol.name, symbol.rank, symbol.per_particle, symbol.symmetric, symbol.unit, symbol.rotation,
           symbol.complex, symbol.noncommuting, symbol.unsized, symbol.declared, symbol.circle_number,
-          measures, symbol.derivation);
+          measures, symbol.derivation, symbol.ket, symbol.label);
   if (measures) symbol.unit_of_measure.emplace();
   spaces_of(archive, symbol.axes, std::min(symbol.rank, most_axes_apart));
 }

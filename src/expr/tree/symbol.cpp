@@ -69,6 +69,7 @@ SymbolId SymbolTable::derivative(const Derivation& derivation) {
                    });
   symbol.noncommuting = base.noncommuting;
   symbol.unsized = base.unsized;
+  symbol.ket = base.ket;
   symbol.declared = base.declared;
   symbol.first_seen = base.first_seen;
   const SymbolId id = add(std::move(symbol));

@@ -125,6 +125,14 @@ inline constexpr int largest_derivation = 1000;
 /// entries, or a column. `Ax` is a product in this order.
 enum class Unsized : std::uint8_t { none, matrix, square, oblong, column };
 
+/// One part of what is written in a ket: `n + 1`, `0`, `\uparrow`, `n^{(0)}`.
+struct LabelPart {
+  std::string letter;  // `n`; nothing for a number
+  std::string mark;    // `^{(0)}`
+  int number = 0;
+  friend auto operator<=>(const LabelPart&, const LabelPart&) = default;
+};
+
 struct Symbol {
   std::string name;            // LaTeX without indices and particle label: `\mathbf{r}`, `T_{\text{rot}}`
   int rank = 0;                // 0 scalar, 1 vector, 2 and more tensor
@@ -143,6 +151,8 @@ struct Symbol {
   AxisSpaces axes = {};                       // orthonormal
   Unsized unsized = Unsized::none;            // of rank 0 and noncommuting
   std::optional<Integral> integral = {};
+  bool ket = false;                   // `|n\rangle`, or a derivative of one; noncommuting, and of rank 0
+  std::vector<LabelPart> label = {};  // of a ket; m and n of `\delta_{mn}` where these number states
 
   /// A unit of measure or π: it has the one value that it has.
   [[nodiscard]] bool is_fixed() const { return unit_of_measure.has_value() || circle_number; }

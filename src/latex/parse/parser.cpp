@@ -65,6 +65,19 @@ std::optional<std::size_t> second_limit(TokenView tokens, std::size_t behind, st
   return text_of(above) == "2" ? std::nullopt : std::optional(limit.next);
 }
 
+/// `\delta_{m,n-1}`: between the indices of δ a comma is no derivative.
+IndexReading indices_of_delta(TokenView content) {
+  const auto comma = std::ranges::find_if(content, [](const Token& token) { return is_sign(token, ","); });
+  if (comma == content.end()) return read_indices(content);
+  const auto at = static_cast<std::size_t>(comma - content.begin());
+  IndexReading first = read_indices(trim(content.first(at)));
+  IndexReading second = read_indices(trim(content.subspan(at + 1)));
+  if (first.obstacle || second.obstacle || first.indices.size() != 1 || second.indices.size() != 1)
+    return read_indices(content);
+  first.indices.push_back(second.indices.front());
+  return first;
+}
+
 }  // namespace
 
 void Parser::Cursor::skip_spacing() {
@@ -414,7 +427,8 @@ SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
     return tree_.add(SyntaxKind::power, span, children);
   }
   if (is_average(base)) return opaque(place, "an average with a subscript is not read");
-  IndexReading reading = read_indices(content);
+  const bool delta = tree_[base].kind == SyntaxKind::symbol && tree_.symbol(base).letter == "\\delta";
+  IndexReading reading = delta ? indices_of_delta(content) : read_indices(content);
   if (reading.obstacle) return tree_.add_opaque(place, *reading.obstacle);
   if (reading.indices.empty()) return opaque(place, "the subscript is empty", DiagnosticKind::bad_syntax);
   if (tree_[base].kind == SyntaxKind::symbol && tree_.symbol(base).letter == "\\epsilon") {

@@ -92,6 +92,14 @@ class Parser {
   std::optional<SyntaxId> expectation(Cursor& cursor);       // \mathbb E[X]
   SyntaxId deviation(SyntaxId of, Span span);
 
+  // parser_kets.cpp
+  SyntaxId state_named(const char* kind, TokenView content, Span span);
+  SyntaxId bracket_of_states(TokenView bra, const std::optional<TokenView>& between, TokenView ket,
+                             Span span);
+  std::optional<SyntaxId> ket(Cursor& cursor);               // |a\rangle
+  std::optional<SyntaxId> angles_of_states(Cursor& cursor);  // \langle a|
+  std::optional<SyntaxId> named_states(Cursor& cursor);      // \ket{a}, \mel{a}{H}{b}
+
   // parser_controls.cpp
   SyntaxId control(Cursor& cursor);
   SyntaxId annotated(Cursor& cursor);  // \overset, \stackrel

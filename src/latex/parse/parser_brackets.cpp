@@ -8,6 +8,7 @@
 #include "base/ascii.h"
 #include "latex/parse/parser.h"
 #include "latex/token/differential.h"
+#include "latex/token/state_places.h"
 
 namespace rigor {
 namespace {
@@ -85,6 +86,11 @@ std::size_t closing_bar(TokenView tokens, std::size_t open) {
     const Token& token = tokens[at];
     if (is_blank(token) || is_spacing(token)) continue;
     const int depth = nesting.enter(token);
+    if (const std::size_t behind = depth == 0 ? behind_states(tokens, at) : at; behind > at) {
+      at = behind - 1;
+      operand = true;
+      continue;
+    }
     if (depth == 0 && (twofold ? is_double_bar(token) : is_bar(token))) {
       const TokenView inside = trim(tokens.subspan(open + 1, at - open - 1));
       const bool placeholder = inside.size() == 1 && is_product_sign(inside[0]);
@@ -252,6 +258,7 @@ SyntaxId Parser::missing_operand(Joint joint, Span place, std::span<const Syntax
 }
 
 SyntaxId Parser::bars(Cursor& cursor) {
+  if (const auto state = ket(cursor)) return *state;
   const Token open = cursor.token();
   const bool sized = is_control(open, "lvert") || is_control(open, "lVert");
   const bool norm = is_control(open, "lVert") || is_double_bar(open);
@@ -287,6 +294,10 @@ std::size_t Parser::outer_bar(const Cursor& cursor, std::size_t close) {
   std::vector<std::size_t> behind;
   Nesting nesting(false);
   for (std::size_t at = cursor.at + 1; at < tokens.size() && behind.size() < 3; ++at) {
+    if (const std::size_t next = behind_states(tokens, at); next > at) {
+      at = next - 1;
+      continue;
+    }
     const bool bar = twofold ? is_double_bar(tokens[at]) : is_bar(tokens[at]);
     if (nesting.enter(tokens[at]) == 0 && bar) behind.push_back(at);
   }

@@ -73,13 +73,15 @@ std::optional<TokenView> averaged_part(TokenView tokens, std::size_t begin, std:
 
 }  // namespace
 
-/// An average, or one obstacle for the whole of it.
+/// An average, what states make, or one obstacle for the whole of it.
 std::optional<SyntaxId> Parser::state_bracket(Cursor& cursor) {
   const TokenView tokens = cursor.tokens;
   const std::size_t begin = cursor.at;
   if (is_control(tokens[begin], "langle")) {
+    if (const auto states = angles_of_states(cursor)) return states;
     cursor.at = behind_angles(tokens, begin);
   } else if (is_state_bracket(tokens[begin])) {
+    if (const auto states = named_states(cursor)) return states;
     std::size_t at = behind_stars(tokens, begin + 1);
     cursor.at = argument_at(tokens, at).next;
     for (at = skip_blank(tokens, cursor.at); is_kind_at(tokens, at, TokenKind::begin_group);

@@ -20,7 +20,7 @@ std::string word_of(TokenView tokens) {
   return word;
 }
 
-bool is_upright(const Token& token) {
+bool is_upright_word(const Token& token) {
   const auto style = style_of(token);
   return (style && style->upright) ||
          (is_words(token) && token.text != "textbf" && token.text != "textit" && token.text != "emph");
@@ -28,7 +28,7 @@ bool is_upright(const Token& token) {
 
 /// `\rm` with the rest of its group, `\mathrm{…}`, `\operatorname*{…}`.
 std::optional<UprightWord> styled_word(TokenView tokens, std::size_t at) {
-  if (at >= tokens.size() || !is_upright(tokens[at])) return std::nullopt;
+  if (at >= tokens.size() || !is_upright_word(tokens[at])) return std::nullopt;
   if (is_control(tokens[at], "rm")) return UprightWord{word_of(tokens.subspan(at + 1)), tokens.size()};
   const bool star = at + 1 < tokens.size() && is_sign(tokens[at + 1], "*");
   const Argument argument = argument_at(tokens, at + (star ? 2 : 1));

@@ -8,6 +8,7 @@
 #include "base/ascii.h"
 #include "latex/split/blocks.h"
 #include "latex/token/cover_tokens.h"
+#include "latex/token/state_places.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -114,6 +115,8 @@ class RowReader {
     if (token.kind == TokenKind::begin_group) ++braces_;
     if (token.kind == TokenKind::end_group) braces_ = std::max(0, braces_ - 1);
     cell().push_back(token);
+    if (is_control_of(token, {"lvert", "rvert"}) && is_bar_of_one_state(tokens_, at_))
+      cell().back().text = "vert";
     ++at_;
   }
 
@@ -178,7 +181,8 @@ class RowReader {
     }
     Token bracket = tokens_[at];
     bracket.span = cover(token.span, bracket.span);
-    const bool plain_bar = is_sign(bracket, "|") || is_control(bracket, "vert");
+    const bool of_state = is_bar_of_one_state(tokens_, at);  // `\\left|n\\right\\rangle`
+    const bool plain_bar = !of_state && (is_sign(bracket, "|") || is_control(bracket, "vert"));
     const bool double_bar = is_control(bracket, "|") || is_control(bracket, "Vert");
     const bool brace = is_control(bracket, "{") || is_control(bracket, "lbrace");
     const std::size_t behind = skip_blank(tokens_, at + 1);

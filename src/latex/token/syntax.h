@@ -36,7 +36,7 @@ enum class SyntaxKind : std::uint8_t {
   derivative,  // d/dt, ∂/∂x, ∂_i of one child (see WrittenDerivative); `\dot x` is a symbol with dots
   function,    // \cos, \exp, grad…: `text` is the name, one child is the argument (two of them: a tuple);
              // `conjugate` for z^*, `bar` for \overline{z + w}, `transpose` and `adjoint` for A^T and A^†,
-             // `average` for \langle x\rangle
+             // `average` for \langle x\rangle; `ket` and `bra`, whose child is their name as `text`
   integral,  // over the body: `text` is the measure (`m` for dm, `V` for dV or d^3r), the first child what
              // is integrated, the second the name of the region if it has one, as `text`
   line_integral,  // over one variable: what is integrated, the variable, and two limits if they are written
