@@ -236,6 +236,12 @@ void settle_space_time(const SpaceTime& file, Evidence& evidence) {
   SpaceTime& seen = evidence.space_time;
   seen.curved = seen.curved || (file.curved && !seen.words && !file.words);
   if (seen.signs.empty()) seen.signs = file.signs;
+  const auto has = [&](const char* letter, std::size_t count) {
+    const auto found = seen.tensors.find(letter);
+    return found != seen.tensors.end() && found->second.contains(count);
+  };
+  // Γ^λ_μν, R^ρ_σμν, and a metric g whose signs nobody says, belong to any metric.
+  seen.curved = seen.curved || has("\\Gamma", 3) || has("R", 4) || (has("g", 2) && seen.signs.size() != 1);
   seen.unit_speed = seen.unit_speed || file.unit_speed;
   const std::string& space = evidence.other_space;
   const bool four = space.empty() || has_any_part(space, {"four", "4", "minkowski", "space"}) ||
