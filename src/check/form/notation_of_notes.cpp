@@ -52,12 +52,15 @@ class Sighting {
   Notation notation(const ExprTree& tree) {
     Notation notation;
     if (controls_["epsilon"] > controls_["varepsilon"]) notation.epsilon = "\\epsilon";
+    notation.metric = names_.symbols.evidence->space_time.metric;
     if (controls_["tfrac"] > number_fractions_) notation.number_fraction = "\\tfrac";
     if (!basis_.empty()) notation.basis = most_frequent(basis_);
     choose_axes(notation);
     for (std::size_t k = 0; k < tree.symbols.size(); ++k) {
       const auto symbol = static_cast<SymbolId>(k);
       const NameKey* key = key_of(names_.symbols, symbol);
+      if (key != nullptr && key->space == space_time.id && key->base.find('#') != std::string::npos)
+        notation.heights[symbol] = key->base.substr(key->base.find('#') + 1);
       if (key == nullptr || tree.symbols[symbol].derivation) continue;
       if (is_principal_value(names_.symbols, tree.symbols, symbol)) notation.principal.insert(symbol);
       if (is_field(names_, tree, symbol)) notation.fields.insert(symbol);

@@ -2,6 +2,7 @@
 #include "check/scope/definition.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <span>
 #include <utility>
@@ -32,8 +33,37 @@ int derivative_order(const SymbolTable& symbols, SymbolId symbol) {
   return symbols[symbol].order(By::time) + symbols[symbol].order(By::space);
 }
 
+namespace {
+
+/// The signs before a symbol of space-time whose indices are lowered, from the outside; none before others.
+std::vector<ExprId> signs_before(const ExprTree& tree, ExprId& id) {
+  std::vector<ExprId> signs;
+  while (tree[id].op == Op::multiply && tree[id].count == 2) {
+    const ExprId sign = tree.children(id)[0];
+    const bool of_index = tree[sign].op == Op::table && tree[sign].slot_count == 1 &&
+                          tree.slots(sign)[0].axis == 0 &&
+                          tree.space(tree.slots(sign)[0].variable) == space_time;
+    if (!of_index) break;
+    signs.push_back(sign);
+    id = tree.children(id)[1];
+  }
+  if (tree[id].op != Op::symbol) signs.clear();
+  return signs;
+}
+
+}  // namespace
+
 std::optional<Definition> as_definition(ExprTree& tree, const NameScope& scope, const Typed& left,
                                         const Typed& right) {
+  Typed raised = left;
+  if (const std::vector<ExprId> signs = signs_before(tree, raised.id); !signs.empty()) {
+    Typed value = right;  // the signs are their own inverses
+    for (const ExprId sign : signs) {
+      const std::array<ExprId, 2> factors{sign, value.id};
+      value.id = tree.add({.op = Op::multiply, .span = tree[right.id].span}, factors);
+    }
+    return as_definition(tree, scope, raised, value);
+  }
   const ExprNode node = tree[left.id];
   if (node.op == Op::power && node.exponent == 2) return as_square(tree, scope, left, right);
   const bool alike = left.rank == right.rank && node.axes == tree[right.id].axes;

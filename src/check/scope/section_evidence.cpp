@@ -45,6 +45,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, std:
     see_letters(notes.syntax, chain.sides, chain.written, evidence);
     see_functions(notes.syntax, chain.sides, evidence);
     see_raised(notes.syntax, chain.sides, evidence);
+    see_space_time(notes.syntax, chain.sides, evidence.space_time);
     see_complex(notes.syntax, chain.sides, evidence);
     see_operators(notes.syntax, chain.sides, evidence);
     see_unsized_matrices(notes.syntax, chain.sides, evidence);
@@ -61,6 +62,7 @@ void see_between(const SourceMap& sources, Span before, Span behind, Evidence& e
   see_said(text, evidence);
   see_unit_matrices(text, evidence);
   see_spaces(text, evidence);
+  see_said_space_time(text, evidence.space_time);
   see_said_changes(text, evidence);
   see_inline_functions(text, evidence);
   see_said_raised(text, evidence);
@@ -90,6 +92,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes, std::
         see_said(title->title, evidence);
         see_heading(title->title, evidence);
         see_spaces(title->title, evidence);
+        see_said_space_time(title->title, evidence.space_time);
         see_said_changes(title->title, evidence);
         see_said_raised(title->title, evidence);
         see_said_complex(title->title, evidence);
@@ -98,8 +101,10 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes, std::
         see_said_averages(title->title, evidence);
       }
       last = place;
-      if (std::holds_alternative<ParsedDisplay>(notes.events[k]) && place.file == notes.file)
+      if (std::holds_alternative<ParsedDisplay>(notes.events[k]) && place.file == notes.file) {
         see_counting(sources.text(place), false, evidence);
+        see_said_space_time(sources.text(place), evidence.space_time);
+      }
       if (const auto* display = std::get_if<ParsedDisplay>(&notes.events[k]))
         see_chains(notes, display->chains, without, evidence);
       if (const auto* placed = std::get_if<PlacedDirective>(&notes.events[k])) {
@@ -132,6 +137,11 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes, std::
       const auto size = static_cast<std::uint32_t>(sources.text(notes.file).size());
       see_between(sources, last, {notes.file, size, size}, evidence);
     }
+  }
+  if (!evidence.space_time.tensors.empty() || !evidence.space_time.indices.empty()) {
+    SpaceTime file;
+    see_said_space_time(sources.text(notes.file), file);
+    settle_space_time(file, evidence);
   }
   settle_order(evidence);
   settle_changes(evidence);

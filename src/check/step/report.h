@@ -43,7 +43,7 @@ struct Counterexample {
   };
   struct Axis {
     std::string index;  // `i`; empty for an axis of a vector equation
-    int value = 0;      // 1..3
+    int value = 0;      // 1..3; in space-time 0..3
   };
   std::uint32_t particles = 0;
   std::vector<Value> values;

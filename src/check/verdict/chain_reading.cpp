@@ -16,6 +16,7 @@
 #include "elaborate/notation/differential.h"
 #include "elaborate/notation/elaborate.h"
 #include "elaborate/reading/equation.h"
+#include "elaborate/reading/space_time.h"
 #include "expr/calculus/differentiate.h"
 #include "latex/reading/rewritings.h"
 
@@ -128,6 +129,10 @@ ChainReading::ChainReading(const SyntaxTree& syntax, ExprTree& tree, Names& name
     side.typed = read(id);
     side.diagnostics = std::exchange(own_, {});
     sides.push_back(std::move(side));
+  }
+  for (std::size_t k = 1; k < sides.size(); ++k) {
+    if (sides[k - 1].typed && sides[k].typed)
+      match_components(reading_, *sides[k - 1].typed, *sides[k].typed);
   }
 }
 

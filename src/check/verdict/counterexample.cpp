@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "algebra/decide/decide.h"
@@ -25,6 +27,12 @@ int axes_in_sample(const ExprTree& tree, ExprId side) {
 }
 
 /// The claim's axes and particles; the description names their indices.
+/// How the first axis of the claim's k-th index is numbered: 0 in space-time.
+int first_number(const Question& question, std::size_t k) {
+  const std::vector<IndexId>& indices = question.claim.indices;
+  return k < indices.size() && question.tree->space(indices[k]) == space_time ? 0 : 1;
+}
+
 Result<Sample> placed(const Question& question, const Counterexample& example) {
   constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at most
   if (example.particles > most_particles) return does_not_fit("the sample has too many particles");
@@ -48,12 +56,13 @@ Result<Sample> placed(const Question& question, const Counterexample& example) {
                      : k < claim.indices.size()   ? tree.space(claim.indices[k]).dimension
                      : tree[claim.left].rank == 0 ? most_rows
                                                   : tree[claim.left].axes[axis_of_side].dimension;
-    if (index != expected || value < 1 || value > most)
+    const int number = value + 1 - (is_particle ? 1 : first_number(question, k));
+    if (index != expected || number < 1 || number > most)
       return does_not_fit("the sample's component does not fit the step");
     if (is_particle) {
-      sample.free_particles.push_back(static_cast<std::uint32_t>(value));
+      sample.free_particles.push_back(static_cast<std::uint32_t>(number));
     } else {
-      sample.axes.push_back(static_cast<std::uint8_t>(value));
+      sample.axes.push_back(static_cast<std::uint8_t>(number));
     }
   }
   return sample;
@@ -65,9 +74,21 @@ int printed_rank(const Symbol& symbol) {
   return symbol.unsized == Unsized::column ? 1 : 2;
 }
 
+/// `x^\mu` for a tensor of space-time, which can have the letter of a coordinate.
+std::string name_in_sample(const ExprTree& tree, SymbolId id) {
+  const Symbol& symbol = tree.symbols[id];
+  const Symbol& base = tree.symbols[base_of(tree.symbols, id)];
+  if (base.rank == 0 || base.axes[0] != space_time) return symbol.name;
+  static constexpr std::array<std::string_view, 4> letters{"\\mu", "\\nu", "\\rho", "\\sigma"};
+  std::string above;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(base.rank) && k < letters.size(); ++k)
+    above += letters[k];
+  return symbol.name + (base.rank == 1 ? "^" + above : "^{" + above + "}");
+}
+
 Counterexample::Value described(const ExprTree& tree, const SampleValue& value) {
   const Symbol& symbol = tree.symbols[value.symbol];
-  return {symbol.name, value.particle, printed_rank(symbol), value.components};
+  return {name_in_sample(tree, value.symbol), value.particle, printed_rank(symbol), value.components};
 }
 
 /// Which derivatives a reader needs to see that the assumptions hold and the sides differ: those in the step,
@@ -112,7 +133,7 @@ Counterexample describe(const Prepared& prepared, const Sample& sample) {
   }
   for (std::size_t k = 0; k < sample.axes.size(); ++k) {
     const std::string index = k < claim.indices.size() ? tree.name(claim.indices[k]) : "";
-    example.component.push_back({index, sample.axes[k]});
+    example.component.push_back({index, sample.axes[k] - 1 + first_number(prepared.question, k)});
   }
   for (std::size_t k = 0; k < sample.free_particles.size() && k < claim.particles.size(); ++k) {
     example.component.push_back({tree.name(claim.particles[k]), static_cast<int>(sample.free_particles[k])});
@@ -132,7 +153,7 @@ Result<Sample> sample_of(const Question& question, const Counterexample& example
     for (std::uint32_t particle = symbol.per_particle ? 1 : 0; particle <= last; ++particle) {
       std::size_t k = 0;
       while (k < taken.size() &&
-             (taken[k] || example.values[k].symbol != symbol.name ||
+             (taken[k] || example.values[k].symbol != name_in_sample(*question.tree, id) ||
               example.values[k].rank != printed_rank(symbol) || example.values[k].particle != particle))
         ++k;
       if (k == taken.size())

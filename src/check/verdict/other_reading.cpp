@@ -205,6 +205,21 @@ bool has_triple(const Question& question, const Names& names) {
   return found;
 }
 
+/// Is it about tensors of space-time, whose four axes and signs are read?
+bool is_of_space_time(const Question& question) {
+  bool found = false;
+  for_each_node(question, [&](const ExprNode& node) {
+    const bool letter = node.op == Op::symbol && question.tree->symbols[node.symbol].rank > 0 &&
+                        question.tree->symbols[node.symbol].axes[0] == space_time;
+    const bool slot = node.slot_count > 0 && node.first_slot[0].axis == 0 &&
+                      question.tree->space(node.first_slot[0].variable) == space_time;
+    found = found || letter || slot ||
+            (node.op == Op::index_sum && question.tree->space(node.index) == space_time) ||
+            (node.op == Op::tuple && node.axes[0] == space_time);
+  });
+  return found;
+}
+
 /// A proof that counts components, or needs their axes, holds along three Cartesian ones.
 std::optional<OtherReading> in_another_space(const Question& question, const Names& names, bool proved) {
   const Evidence& evidence = *names.symbols.evidence;
@@ -212,7 +227,8 @@ std::optional<OtherReading> in_another_space(const Question& question, const Nam
   const bool said = space_of(names.symbols) != common_space;
   const std::string& of_space = said ? evidence.other_metric : evidence.other_space;
   const std::string& words = of_space.empty() ? evidence.other_axes : of_space;
-  if (!proved || words.empty() || has_triple(question, names)) return std::nullopt;
+  if (!proved || words.empty() || has_triple(question, names) || is_of_space_time(question))
+    return std::nullopt;
   const bool axes = !of_space.empty() || !evidence.hatted_axes;
   const bool asked = has_components(question, axes) || (!of_space.empty() && counts_dimensions(question));
   const ClaimVectors vectors = vectors_of(question);

@@ -87,6 +87,21 @@ struct SummedMembers {
   [[nodiscard]] bool has(const std::string& letter) const;
 };
 
+/// Tensors of space-time, whose Greek indices are above and below. Letters are as `letter_with_marks` has
+/// them.
+struct SpaceTime {
+  bool shown = false;             // when all is seen: Greek letters above are indices here
+  bool curved = false;            // the words speak of another metric than that of special relativity
+  bool words = false;             // they speak of four-vectors, of Minkowski, of space-time
+  bool unit_speed = false;        // c = 1
+  bool formulas = false;          // `F^{\mu\nu}`, `\partial^\mu`, `a_\mu b^\mu`
+  std::set<int> signs;            // of η_00: 1 or −1, where the section says which
+  std::set<std::string> indices;  // Greek letters that are indices somewhere
+  std::map<std::string, std::set<std::size_t>> tensors;  // letters with such indices, and how many they have
+  std::set<std::string> on_line;                         // letters that stand on the line, without a power
+  std::string metric = "\\eta";                          // or `g`
+};
+
 struct Evidence {
   std::set<std::string> vectors;   // bold or under an arrow somewhere
   std::set<std::string> crossed;   // factors of a cross product
@@ -150,14 +165,15 @@ struct Evidence {
   bool says_imaginary = false;                           // "the imaginary unit", "complex numbers"
   bool says_conjugate = false;                           // "the complex conjugate"
   bool speaks_of_complex = false;                        // the words do
-  bool complex_vectors = false;     // and so that fields and amplitudes may be complex as well
-  std::string other_space;          // words of another number of dimensions, or another metric
-  std::string other_metric;         // of another metric
-  std::string other_axes;           // words of components that are not Cartesian
-  bool hatted_axes = false;         // `\hat x`: beside such words as well, the unit vectors are Cartesian
-  std::string other_arithmetic;     // words of sums and products that are not those of real numbers
-  std::set<std::string> raised;     // x of `x^\mu`, `x^1 = x`: its upper indices are no powers
-  bool speaks_of_raised = false;    // the words do, and name no letter
+  bool complex_vectors = false;   // and so that fields and amplitudes may be complex as well
+  std::string other_space;        // words of another number of dimensions, or another metric
+  std::string other_metric;       // of another metric
+  std::string other_axes;         // words of components that are not Cartesian
+  bool hatted_axes = false;       // `\hat x`: beside such words as well, the unit vectors are Cartesian
+  std::string other_arithmetic;   // words of sums and products that are not those of real numbers
+  std::set<std::string> raised;   // x of `x^\mu`, `x^1 = x`: its upper indices are no powers
+  bool speaks_of_raised = false;  // the words do, and name no letter
+  SpaceTime space_time;
   std::set<std::string> exponents;  // that are numbers where they stand above: they stand on the line as well
   std::set<std::string> counters;   // n of `x_{n+1}`: in a subscript it counts the members of a sequence
   std::map<std::string, CountingLetter> counting;  // n of "for $n = 1, 2, \dots$"
@@ -319,6 +335,19 @@ void see_said_unsized_matrices(std::string_view text, Evidence& evidence);
 void settle_unsized_matrices(Evidence& evidence);
 /// `base` has its labels.
 [[nodiscard]] Unsized unsized_letter(const Evidence& evidence, const std::string& base);
+
+// --- space_time.cpp: Greek indices above and below: `F^{\mu\nu}`, `a_\mu b^\mu`, "four-vectors".
+
+/// What one chain shows; `sides` are its sides as they were parsed.
+void see_space_time(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, SpaceTime& seen);
+/// The text of a display, or prose with its formulas: the signs of the metric, c = 1, and words.
+void see_said_space_time(std::string_view text, SpaceTime& seen);
+/// When all is seen of the section: `file` is what the whole file shows of signs and words.
+void settle_space_time(const SpaceTime& file, Evidence& evidence);
+/// The letters and digits above a letter, where they can be indices of space-time; empty where they cannot.
+[[nodiscard]] std::vector<WrittenIndex> indices_above(const SyntaxTree& syntax, SyntaxId exponent);
+/// Is the Greek letter an index here?
+[[nodiscard]] bool is_space_time_index(const Evidence& evidence, const WrittenIndex& index);
 
 // --- raised_indices.cpp: Upper indices: where `x^\mu` or `x^1` stands, `x^2` need not be a square.
 

@@ -106,6 +106,26 @@ void read_by_company(const SyntaxTree& syntax, SyntaxId id, const Names& names, 
   letters.indices.insert(own.begin(), own.end());
 }
 
+/// i of `F^{i0}`, a tensor of space-time, and of `E^i` beside \mathbf E is an index, also on what stands
+/// beside it.
+void read_indices_above(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names,
+                        Letters& letters) {
+  const SpaceTime& seen = names.symbols.evidence->space_time;
+  if (!seen.shown) return;
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::power) return;
+    const SyntaxId base = syntax.child(id, 0);
+    if (syntax[base].kind != SyntaxKind::symbol) return;
+    const std::string letter = letter_with_marks(syntax.symbol(base));
+    if (!seen.tensors.contains(letter) && !names.symbols.sightings->bold.contains({letter, false})) return;
+    for (const WrittenIndex& index : indices_above(syntax, syntax.child(id, 1))) {
+      if (index.form != IndexForm::letter) continue;
+      letters.indices.insert(index.text);
+      letters.evidence = true;
+    }
+  });
+}
+
 /// `Q_{ab}` and `Q_{ba}`: a and b are indices.
 void read_permutations(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Letters& letters) {
   std::set<std::pair<std::string, std::string>> seen;
@@ -364,6 +384,7 @@ bool runs_over_numbers(const SyntaxTree& syntax, SyntaxId big_sum, const Names& 
 
 Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names) {
   Letters letters;
+  read_indices_above(syntax, sides, names, letters);
   for_each_node(syntax, sides, [&](SyntaxId id) { read_definite(syntax, id, names, letters); });
   read_permutations(syntax, sides, letters);
   read_labels(syntax, sides, letters);

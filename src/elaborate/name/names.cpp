@@ -190,8 +190,11 @@ bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol, con
   if (definition_of(names.scope, base) != nullptr || definition_of(names.scope, symbol) != nullptr)
     return true;
   if (names.scope.variables.contains(base) || is_declared_constant(names.scope, base)) return true;
-  const NameKey* key = key_of(names.symbols, base);
-  if (key == nullptr || by == By::small) return true;
+  const NameKey* found = key_of(names.symbols, base);
+  if (found == nullptr || by == By::small) return true;
+  NameKey plain = *found;
+  plain.base = plain.base.substr(0, plain.base.find('#'));  // V of V_μ in curved space
+  const NameKey* key = &plain;
   if (by == By::space) return is_differentiated_by_place(names.symbols, *key);
   if (by.by == By::letter)
     return is_function_of(*names.symbols.evidence, key->base, name_in(names, tree, by.letter));

@@ -9,6 +9,7 @@ Space column_space(const Symbols& symbols, int dimension) {
   const Space here = space_of(symbols);
   if (here.dimension == dimension) return here;
   if (common_space.dimension == dimension) return common_space;
+  if (dimension == space_time.dimension && symbols.evidence->space_time.shown) return space_time;
   return {static_cast<std::uint8_t>(dimension), space_of_columns};
 }
 
@@ -38,7 +39,10 @@ SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const s
   const AxisSpaces of_shape = key.shape.any() ? axes_of(symbols, key.shape) : AxisSpaces{};
   symbol.axes = key.shape.any()
                     ? (key.rank == 3 ? AxisSpaces::of(common_space, 1).then(1, of_shape) : of_shape)
-                    : AxisSpaces::of(key.rank > 0 ? space_of(symbols) : common_space, key.rank);
+                    : AxisSpaces::of(key.rank == 0                ? common_space
+                                     : key.space == space_time.id ? space_time
+                                                                  : space_of(symbols),
+                                     key.rank);
   symbol.per_particle = key.per_particle;
   symbol.complex = key.complex;
   symbol.noncommuting = key.noncommuting;

@@ -112,8 +112,10 @@ std::optional<SpelledPart> repeated_greek(const Reading& reading, std::span<cons
     if (syntax[child.id].kind != SyntaxKind::symbol) continue;
     std::set<std::string> own;
     for (const WrittenIndex& index : syntax.symbol(child.id).lower) {
-      if (index.form == IndexForm::greek && !labels_particles(reading.names.symbols, index.text))
-        own.insert(index.text);
+      const bool label = index.form == IndexForm::greek &&
+                         !labels_particles(reading.names.symbols, index.text) &&
+                         !is_space_time_index(*reading.names.symbols.evidence, index);
+      if (label) own.insert(index.text);
     }
     for (const std::string& letter : own) {
       if (seen.insert(letter).second) continue;
@@ -322,6 +324,10 @@ BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracke
   if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, function) ||
       is_never_applied(symbol) || (kind != SyntaxKind::group && kind != SyntaxKind::tuple) ||
       holds_letter(syntax, bracket, symbol.letter))
+    return BracketPart::factor;
+  // `\gamma(c, \mathbf v)`: a multiple of a four-vector.
+  const bool of_event = reading.names.symbols.evidence->space_time.shown && kind == SyntaxKind::tuple;
+  if (of_event && (symbol.letter == "\\gamma" || is_usual_coefficient(symbol.letter)))
     return BracketPart::factor;
   // Nobody writes an argument as a column, and a number stands before a sum of matrices. But `R(\alpha)` is
   // hardly a multiple of R, and `\lambda(AB)` can be an eigenvalue.

@@ -11,6 +11,7 @@
 #include "elaborate/notation/differential.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/change.h"
+#include "elaborate/reading/space_time.h"
 #include "elaborate/reading/summation.h"
 #include "elaborate/symbol/axes.h"
 #include "elaborate/symbol/symbol.h"
@@ -191,8 +192,35 @@ MaybeTyped differentiated(Reading& reading, const Differentiation& how, MaybeTyp
 
 }  // namespace
 
+namespace {
+
+/// `\partial_\mu`, `\partial_0`, `\partial^\mu` and `\Box`; nothing for other indices.
+std::optional<MaybeTyped> by_index_of_event(Reading& reading, const Typed& operand, const WrittenIndex& index,
+                                            Span span, const Around& around) {
+  const Evidence& evidence = *reading.names.symbols.evidence;
+  if (index.text == box_letter) {
+    if (evidence.space_time.shown && !evidence.space_time.curved) return box_of(reading, operand, span);
+    return unsupported(
+        reading, span,
+        "a square before an operand is d'Alembert's operator, which is read in space-time only; "
+        "with `\\,` after it, it is a hole");
+  }
+  const bool of_time = evidence.space_time.shown && index.text == "0";
+  if (of_time || is_space_time_index(evidence, index)) return by_event(reading, operand, index, span, around);
+  if (index.text != "\\rho" && index.text != "\\sigma") return std::nullopt;
+  return ambiguous(reading, span,
+                   fmt::format("`{}` can be an index here, or the variable of the derivative", index.text),
+                   {"write `\\frac{\\partial}{\\partial r}` for a derivative by `r`"});
+}
+
+}  // namespace
+
 MaybeTyped by_coordinate(Reading& reading, const Typed& operand, const WrittenSymbol& variable, Span span,
                          const Around& around) {
+  if (variable.lower.size() == 1) {
+    if (auto by_index = by_index_of_event(reading, operand, variable.lower[0], span, around))
+      return *std::move(by_index);
+  }
   const std::uint8_t axis = variable.lower.empty() ? axis_of_letter(variable.letter) : std::uint8_t{0};
   std::optional<Subscript> along = Subscript{.slots = {{axis, {}}}};
   if (axis == 0) {

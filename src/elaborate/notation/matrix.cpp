@@ -118,11 +118,46 @@ std::optional<std::string> other_meaning(const Reading& reading, SyntaxId id, Ma
 
 }  // namespace
 
+namespace {
+
+/// `(ct, x, y, z)`, and `(E/c, \mathbf p)`: a number and a vector.
+std::optional<MaybeTyped> tuple_of_event(Reading& reading, SyntaxId id, const Around& around) {
+  const SyntaxNode& node = reading.syntax[id];
+  const bool pair = node.count == 2 && reading.names.symbols.evidence->space_time.shown;
+  const bool four = node.count == 4 && reading.names.symbols.evidence->space_time.shown;
+  if ((!pair && !four) || is_pair_in_brackets(node) || node.payload != 0) return std::nullopt;
+  std::vector<Typed> entries;
+  if (four) {
+    auto read = entries_of(reading, reading.syntax.children(id), around);
+    if (!read) return MaybeTyped();
+    entries = *std::move(read);
+  } else {
+    const auto time = elaborate(reading, reading.syntax.child(id, 0), around);
+    const auto space = elaborate(reading, reading.syntax.child(id, 1), around);
+    if (!time || !space) return MaybeTyped();
+    const bool vector = time->rank == 0 && space->rank == 1 && time->free.empty() && space->free.empty() &&
+                        reading.tree[space->id].axes[0] == common_space;
+    if (!vector)
+      return unsupported(reading, node.span, "of two entries, the first is a number and the second a vector");
+    entries.push_back(*time);
+    for (std::uint8_t axis = 1; axis <= 3; ++axis) {
+      const Slot slot{axis, {}};
+      Typed entry{.particles = space->particles};
+      entry.id = component_of(reading.tree, space->id, std::span(&slot, 1));
+      entries.push_back(std::move(entry));
+    }
+  }
+  return tuple_of(reading.tree, space_time, node.span, entries);
+}
+
+}  // namespace
+
 MaybeTyped elaborate_tuple(Reading& reading, SyntaxId id, const Around& around) {
   if (auto matrix = commutator(reading, id, around)) return *std::move(matrix);
   const Span span = reading.syntax[id].span;
   const MatrixShape shape = written_shape(reading.syntax, id);
   const std::size_t count = reading.syntax[id].count;
+  if (auto event = tuple_of_event(reading, id, around)) return *std::move(event);
   if (const auto other = other_meaning(reading, id, shape)) return ambiguous(reading, span, *other);
   const bool table = shape.any();
   const bool in_plane = !table && space_of(reading.names.symbols).dimension == 2;

@@ -14,6 +14,7 @@
 #include "elaborate/reading/matrix_product.h"
 #include "elaborate/reading/triple.h"
 #include "elaborate/symbol/named_symbol.h"
+#include "elaborate/symbol/space_time_letter.h"
 #include "elaborate/symbol/triple_letter.h"
 
 namespace rigor {
@@ -248,6 +249,7 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
   const SyntaxId raised = syntax.child(id, 0);
   const SyntaxId exponent = syntax.child(id, 1);
   const Span span = syntax[id].span;
+  if (auto tensor = raised_letter(reading, id, around)) return *std::move(tensor);
   if (is_exponential(reading, id)) {
     const bool divides_by_all = reading.rules.divides_by_all;
     reading.rules.divides_by_all = divides_by_all || slashes_are_clear(syntax, exponent);
@@ -273,7 +275,8 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
   const auto whole = whole_number(syntax, exponent);
   const bool of_symbol = syntax[raised].kind == SyntaxKind::symbol;
   if (of_symbol && whole && may_be_raised(syntax.symbol(raised), *reading.names.symbols.evidence) &&
-      !is_declared_letter(reading.names, syntax.symbol(raised))) {
+      !is_declared_letter(reading.names, syntax.symbol(raised)) &&
+      !is_coordinate_on_line(reading, syntax.symbol(raised))) {
     const std::string& letter = syntax.symbol(raised).letter;
     return ambiguous(
         reading, span,

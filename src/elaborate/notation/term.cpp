@@ -26,6 +26,8 @@ MaybeTyped act(Reading& reading, SyntaxId id, Joint joint, const Typed& operand,
   const Span span = syntax[id].span;
   const Span whole = cover(span, reading.tree[operand.id].span);
   const WrittenSymbol& nabla = nabla_of(syntax, id);
+  if (nabla.lower.size() == 1 && is_space_time_index(*reading.names.symbols.evidence, nabla.lower[0]))
+    return unsupported(reading, span, "a covariant derivative is not decided");
   if (nabla.lower.size() == 1) {
     WrittenSymbol coordinate;
     coordinate.letter = "x";

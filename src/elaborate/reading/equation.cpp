@@ -215,6 +215,13 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
     const Span without = reading.tree[other_side.id].span;
     const bool shown =
         reading.letters.is_sure(entry.letter) && !has_number(reading.tree, other_side.id, entry.letter);
+    if (entry.height != Height::none) {
+      mismatch.diagnostics.push_back({DiagnosticKind::unsupported,
+                                      entry.span,
+                                      fmt::format("only one {} has the free index `{}`", what, entry.letter),
+                                      {{without, fmt::format("no free `{}` here", entry.letter)}}});
+      return false;
+    }
     // `\sigma_i\sigma_j = i\sigma_k` is meant for three indices in their order.
     const DiagnosticKind kind = reading.found.triples ? DiagnosticKind::unsupported
                                 : shown               ? DiagnosticKind::free_index_mismatch
@@ -232,6 +239,17 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
     return tell(*extra, first);
   if (const auto extra = missing(first.free, other.free); extra != first.free.end())
     return tell(*extra, other);
+  for (const FreeIndex& entry : other.free) {
+    const auto same = std::ranges::find(first.free, entry.letter, &FreeIndex::letter);
+    if (same == first.free.end() || same->height == entry.height) continue;
+    const bool above = entry.height == Height::above;
+    mismatch.diagnostics.push_back({DiagnosticKind::unsupported,
+                                    entry.span,
+                                    fmt::format("`{}` is {} in one {} and {} in the other", entry.letter,
+                                                above ? "above" : "below", what, above ? "below" : "above"),
+                                    {{same->span, ""}}});
+    return false;
+  }
   return true;
 }
 

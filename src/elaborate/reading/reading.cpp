@@ -66,6 +66,10 @@ IndexId index_named(Reading& reading, const std::string& letter) {
                      [&] { return reading.tree.add_index(letter, use_space(reading)); });
 }
 
+IndexId index_named(Reading& reading, const std::string& letter, Space space) {
+  return variable_of(reading.indices, letter, [&] { return reading.tree.add_index(letter, space); });
+}
+
 ParticleId particle_named(Reading& reading, const std::string& letter) {
   return variable_of(reading.particles, letter, [&] { return reading.tree.add_particle(letter); });
 }

@@ -140,6 +140,7 @@ Space use_space(Reading& reading);
 
 /// The variable of a letter: of the innermost written sum over it, else of the statement.
 [[nodiscard]] IndexId index_named(Reading& reading, const std::string& letter);
+[[nodiscard]] IndexId index_named(Reading& reading, const std::string& letter, Space space);
 [[nodiscard]] ParticleId particle_named(Reading& reading, const std::string& letter);
 
 [[nodiscard]] inline Obstacle unread(std::string message, std::vector<std::string> help = {}) {

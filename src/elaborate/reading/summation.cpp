@@ -76,6 +76,17 @@ std::optional<Contraction> contraction_of(Reading& reading, const std::vector<Ty
            {"rename one of the two"}});
       return std::nullopt;
     }
+    if (where.size() == 2 && where[0].height != Height::none && where[0].height == where[1].height) {
+      const char* place = where[0].height == Height::above ? "above" : "below";
+      reading.diagnostics.push_back(
+          {DiagnosticKind::unsupported,
+           where[1].span,
+           fmt::format("`{}` stands {} twice in one term; a sum takes one index above and one below", letter,
+                       place),
+           {{where[0].span, ""}},
+           {"lower or raise one of the two"}});
+      return std::nullopt;
+    }
     if (where.size() == 2) reading.found.summed_letters.insert(letter);
     (where.size() == 2 ? letters.summed : letters.free).push_back(where[0]);
   }

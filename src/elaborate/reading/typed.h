@@ -12,12 +12,16 @@
 
 namespace rigor {
 
+/// Where an index of space-time stands; of other spaces it makes no difference.
+enum class Height : std::uint8_t { none, above, below };
+
 /// An index letter that no sum has bound yet, and where it stands.
 struct FreeIndex {
   std::string letter;
   IndexId id{};
   Span span;
   bool rides = false;  // on a principal value `I_i`, which is not counted as an occurrence
+  Height height = Height::none;
 };
 
 struct FreeParticle {

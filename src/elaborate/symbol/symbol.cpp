@@ -16,6 +16,7 @@
 #include "elaborate/symbol/hole.h"
 #include "elaborate/symbol/matrix_letter.h"
 #include "elaborate/symbol/named_symbol.h"
+#include "elaborate/symbol/space_time_letter.h"
 #include "elaborate/symbol/triple_letter.h"
 #include "latex/token/vocabulary.h"
 
@@ -439,6 +440,7 @@ std::optional<MaybeTyped> member_of_sequence(Reading& reading, const WrittenSymb
 }  // namespace
 
 MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span span, const Around& around) {
+  if (auto tensor = lowered_letter(reading, written, span, around)) return *std::move(tensor);
   const bool sequence = !reading.counting.empty();
   if (sequence) {
     if (auto triple = triple_letter(reading, written, span, around)) return *std::move(triple);

@@ -37,7 +37,7 @@ std::optional<ExprId> Differentiator::compute(ExprId id) {
     case Op::imaginary_unit:
       return std::nullopt;
     case Op::symbol:
-      return of_symbol(id);
+      return rule_ ? rule_(id) : of_symbol(id);
     case Op::add:
       return of_sum(id);
     case Op::negate:

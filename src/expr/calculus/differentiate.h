@@ -44,10 +44,17 @@ inline constexpr std::uint32_t most_terms = 100'000;  // weight of one derivativ
 class Differentiator {
  public:
   using DependenceOf = std::function<Dependence(SymbolId)>;
+  /// Takes a symbol with its slots, gives its derivative, or nothing where that is zero.
+  using SymbolRule = std::function<std::optional<ExprId>(ExprId)>;
 
   Differentiator(ExprTree& tree, const Variable& by, DependenceOf dependence_of, DerivativeBudget& budget,
-                 Slot axis = {})
-      : tree_(tree), by_(by), axis_(axis), dependence_of_(std::move(dependence_of)), budget_(budget) {}
+                 Slot axis = {}, SymbolRule rule = {})
+      : tree_(tree),
+        by_(by),
+        axis_(axis),
+        dependence_of_(std::move(dependence_of)),
+        rule_(std::move(rule)),
+        budget_(budget) {}
 
   /// Nothing where it is zero, or where the budget is exceeded.
   [[nodiscard]] std::optional<ExprId> derivative(ExprId id);
@@ -89,6 +96,7 @@ class Differentiator {
   Variable by_;
   Slot axis_;
   DependenceOf dependence_of_;
+  SymbolRule rule_;  // instead of what it depends on
   DerivativeBudget& budget_;
   Span span_ = {};  // of the node at hand, for what is made of it
   std::unordered_map<std::uint32_t, Maybe> known_;

@@ -48,11 +48,17 @@ std::string exponent_text(int exponent) {
 
 std::string LatexPrinter::print(ExprId root) {
   name_free(root);
+  // A side that is a whole tensor of space-time at its letters is read as the whole.
+  const ExprNode& node = tree_[root];
+  if (node.op == Op::component && tree_[child(root)].op == Op::tuple &&
+      tree_[child(root)].axes[0] == space_time && !event_part(root))
+    return text(child(root));
   return text(root);
 }
 
 LatexPrinter::Piece LatexPrinter::piece(ExprId id) {
   if (tree_.is_zero_literal(id)) return {"0"};
+  if (auto known = event(id)) return std::move(*known);
   if (auto known = field(id)) return std::move(*known);
   const ExprNode& node = tree_[id];
   switch (node.op) {
@@ -152,7 +158,17 @@ LatexPrinter::Piece LatexPrinter::sum(ExprId id) {
   return {text, Level::sum};
 }
 
+/// η_00/|η_00|, the sign of the metric.
+bool LatexPrinter::is_metric_sign(ExprId id) const {
+  const ExprId above = child(id, 0);
+  const ExprId below = child(id, 1);
+  return tree_[above].op == Op::symbol && tree_[below].op == Op::absolute &&
+         tree_[child(below)].op == Op::symbol && tree_[child(below)].symbol == tree_[above].symbol &&
+         tree_.symbols[tree_[above].symbol].name.ends_with("_{00}");
+}
+
 LatexPrinter::Piece LatexPrinter::quotient(ExprId id) {
+  if (is_metric_sign(id)) return piece(child(id, 0));
   const bool numbers = tree_[child(id, 0)].op == Op::number && tree_[child(id, 1)].op == Op::number;
   return {fmt::format("{}{{{}}}{{{}}}", numbers ? notation_.number_fraction : "\\frac", text(child(id, 0)),
                       text(child(id, 1))),

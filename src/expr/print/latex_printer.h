@@ -40,6 +40,7 @@ class LatexPrinter {
   // latex_printer.cpp
   Piece piece(ExprId id);
   Piece sum(ExprId id);
+  bool is_metric_sign(ExprId id) const;
   Piece quotient(ExprId id);
   Piece power(ExprId id);
   Piece real_power(ExprId id);
@@ -108,6 +109,24 @@ class LatexPrinter {
                    const std::vector<std::uint8_t>& behind) const;
   bool is_rate(ExprId rate, ExprId of) const;
   ExprId child(ExprId id, std::size_t which = 0) const { return tree_.children(id)[which]; }
+
+  // latex_printer_events.cpp
+  /// A symbol with its indices, signs and derivatives: `\partial_\mu A^\nu`.
+  struct EventPart {
+    ExprId thing{};
+    SymbolId symbol{};
+    std::vector<Slot> own = {};
+    std::vector<Slot> by = {};      // of ∂, from the outside
+    std::vector<Slot> turned = {};  // lowered, and of ∂ raised
+  };
+  std::optional<EventPart> event_part(ExprId id) const;
+  static std::size_t times_on(const EventPart& part, IndexId index);
+  std::string event_slot_text(const Slot& slot) const;
+  static std::string staggered(const std::string& labels,
+                               const std::vector<std::pair<std::string, bool>>& indices);
+  std::string event_indices(const std::string& labels, std::span<const Slot> slots, std::vector<Slot>& turned,
+                            SymbolId symbol) const;
+  std::optional<Piece> event(ExprId id);
 
   const ExprTree& tree_;
   const Notation& notation_;

@@ -86,6 +86,7 @@ bool LatexPrinter::rides(ExprId id, IndexId index) {
 
 /// Is the letter free in what is printed, where a free letter may stand?
 bool LatexPrinter::reads_once(ExprId id, IndexId index) {
+  if (const auto part = event_part(id)) return times_on(*part, index) == 1;
   const auto in_slots = [&] {
     return std::ranges::count_if(tree_.slots(id),
                                  [&](const Slot& slot) { return slot.axis == 0 && slot.variable == index; });
@@ -134,6 +135,7 @@ bool LatexPrinter::reads_once(ExprId id, IndexId index) {
 
 /// Does the summation convention sum the letter right around the body?
 bool LatexPrinter::is_implied(ExprId body, IndexId index) {
+  if (const auto part = event_part(body)) return times_on(*part, index) == 2;
   const ExprNode& node = tree_[body];
   const auto in_slots = std::ranges::count_if(
       tree_.slots(body), [&](const Slot& slot) { return slot.axis == 0 && slot.variable == index; });

@@ -102,6 +102,10 @@ LatexPrinter::Piece LatexPrinter::plain_symbol(SymbolId base, const ExprNode& no
   const bool lettered = is_lettered(base) || label_runs_on;
   std::string letter =
       dotted(whole ? whole_letter(base, name) : without_face(name.letter), dots) + name.primes;
+  if (!slots.empty() && symbol.axes[0] == space_time) {
+    std::vector<Slot> none;
+    return {dotted(name.letter, dots) + name.primes + event_indices(name.labels, slots, none, base)};
+  }
   if (symbol.rank == 0) letter = dotted(name.letter, dots) + name.primes;
   if ((label_runs_on && !(one_digit && slots.size() == 1)) ||
       names_another(base, name, slots)) {  // (\mathbf{v}_{a})_i

@@ -21,6 +21,7 @@ struct FrameNames {
 
 struct Notation {
   std::string epsilon = "\\varepsilon";        // or `\epsilon`
+  std::string metric = "\\eta";                // of space-time; or `g`
   std::string basis = "\\mathbf{e}";           // e_i; `\hat{\mathbf{e}}`
   std::array<std::string, 3> axes = {};        // `\hat{x}`…; empty: e_1, e_2, e_3
   std::string number_fraction = "\\frac";      // of two numbers; `\tfrac`
@@ -31,7 +32,8 @@ struct Notation {
   std::set<SymbolId> lettered = {};            // components are A_x, A_y, A_z
   std::set<SymbolId> principal = {};           // of principal values: an index on them goes along
   std::set<SymbolId> fields = {};              // their rate is ∂/∂t
-  std::optional<FrameNames> frame = {};        // in force
+  std::map<SymbolId, std::string> heights = {};  // `ud`: in curved space each height is a tensor of its own
+  std::optional<FrameNames> frame = {};          // in force
   bool every_sum = false;  // over indices is written, also where the summation convention gives it back
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The spaces that indices run over, and the axes of a value in them. Spaces are Euclidean: their metric is δ,
-// so an upper and a lower index mean the same. Operations that exist in three dimensions only (ε with three
-// indices, the cross product, rotations by quaternions) are only made in a space of three.
+// so an upper and a lower index mean the same; only in space-time they differ, by signs that are written out.
+// Operations that exist in three dimensions only (ε with three indices, the cross product, rotations by
+// quaternions) are only made in a space of three.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@ namespace rigor {
 
 inline constexpr int most_dimensions = 9;     // literal axes are one digit
 inline constexpr int most_axes_apart = 8;     // axes of a value with one outside the common space
-inline constexpr int most_named_spaces = 13;  // their ids are 1, 2, …
+inline constexpr int most_named_spaces = 12;  // their ids are 1, 2, …
 
 /// A value, not a name: two spaces of one dimension differ by their ids.
 struct Space {
@@ -20,6 +21,9 @@ struct Space {
   friend bool operator==(const Space&, const Space&) = default;
 };
 inline constexpr Space common_space{};
+/// Four axes, of which the first is along the time. Components are those with upper indices; one with a lower
+/// index is that times a sign (elaborate/reading/space_time.h).
+inline constexpr Space space_time{4, 13};
 /// All columns of one length that no named space has: entries 1, 2, … of what is written in rows.
 inline constexpr std::uint8_t space_of_columns = 14;  // its id
 /// The axis that says which part of a complex number it is.

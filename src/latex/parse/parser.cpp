@@ -49,6 +49,12 @@ void skip_group_before_script(Parser::Cursor& cursor) {
   if (trim(group.content).empty() && is_script_at(cursor.tokens, behind)) cursor.at = behind;
 }
 
+/// `^{\ \nu}`, `^{\phantom{\mu}\nu}`: the space of an index below.
+bool begins_apart(TokenView content) {
+  return !content.empty() && content.size() > 1 &&
+         (is_spacing(content[0]) || is_control_of(content[0], {"phantom", "hphantom"}));
+}
+
 /// `[uv]_a^b`: behind the other limit of a bracket that ends before `behind` and has one at `script`. A
 /// square of a component, `[\mathbf A\times\mathbf B]_i^2`, has none.
 std::optional<std::size_t> second_limit(TokenView tokens, std::size_t behind, std::size_t script,
@@ -210,7 +216,8 @@ SyntaxId Parser::term(Cursor& cursor) {
     if (lifts_braces(cursor)) continue;
     const std::size_t begin = cursor.at;
     SyntaxId node = factor(cursor);
-    if (is_box_operator(cursor.tokens, begin, cursor.at)) node = box_operator(tree_[node].span);
+    if (is_box_operator(cursor.tokens, begin, cursor.at))
+      node = box_operator(cursor, node, cursor.tokens[begin].span);
     if (behind_product) measure_->behind.push_back(node);
     factors.push_back({node, joint, joint_span});
     joint = Joint::juxtaposed;
@@ -341,6 +348,7 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
   bool below = false;  // a subscript is there already
   bool above = false;
   const std::size_t before = cursor.at;
+  bool staggered = tree_[base].kind == SyntaxKind::symbol;  // `{F_\mu}^\nu`
   if (const std::size_t end = degree_end(cursor); end != cursor.at && tree_[base].kind == SyntaxKind::number)
     base = in_degrees(cursor, base, end);
   while (true) {
@@ -354,6 +362,7 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
     const std::size_t apart = ahead.at;
     skip_group_before_script(ahead);
     if (ahead.at != apart) below = above = false;  // `T_i{}_j`
+    staggered = staggered || ahead.at != apart;
     if (ahead.done() || !is_script(ahead.token())) return base;
     const Token script = ahead.token();
     read_sign(ahead);
@@ -388,9 +397,19 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
       const auto labelled = is_sign_at(cursor.tokens, skip_blank(cursor.tokens, cursor.at), "(")
                                 ? std::nullopt  // `f^{(2)}(x)`
                                 : add_upper_label(base, argument.content, place);
+      if (!labelled && (staggered || begins_apart(argument.content))) base = raised_behind(base);
       base = labelled ? *labelled : exponent(base, argument.content, place);
     }
+    staggered = false;
   }
+}
+
+/// What stands above comes after all that stands below so far: `F_\mu{}^\nu`, `F_\mu^{\ \nu}`.
+SyntaxId Parser::raised_behind(SyntaxId base) {
+  if (tree_[base].kind != SyntaxKind::symbol || tree_.symbol(base).lower.empty()) return base;
+  WrittenSymbol symbol = tree_.symbol(base);
+  symbol.raised_at = static_cast<std::uint8_t>(symbol.lower.size());
+  return tree_.add_symbol(tree_[base].span, std::move(symbol));
 }
 
 SyntaxId Parser::add_primes(SyntaxId base, std::uint8_t primes, Span place) {

@@ -44,6 +44,9 @@ class Parser {
   SyntaxId signed_factor(Cursor& cursor);
   SyntaxId primary(Cursor& cursor);
   SyntaxId scripts(Cursor& cursor, SyntaxId base);
+  std::optional<std::vector<WrittenVariable>> read_raised_indices(TokenView content);
+  SyntaxId act_by(Cursor& cursor, std::vector<WrittenVariable> by, Span span);
+  SyntaxId raised_behind(SyntaxId base);
   SyntaxId add_primes(SyntaxId base, std::uint8_t primes, Span place);
   SyntaxId add_indices(SyntaxId base, TokenView content, Span place);
   std::optional<SyntaxId> add_upper_label(SyntaxId base, TokenView content, Span place);
@@ -80,7 +83,7 @@ class Parser {
   SyntaxId restyle(SyntaxId inner, Style style, Span span);
   SyntaxId number(Cursor& cursor);
   SyntaxId asked(Cursor& cursor);  // `?`
-  SyntaxId box_operator(Span place);
+  SyntaxId box_operator(Cursor& cursor, SyntaxId box, Span place);
 
   // parser_struck.cpp
   SyntaxId struck(Cursor& cursor);     // \cancel

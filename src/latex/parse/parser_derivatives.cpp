@@ -94,6 +94,15 @@ std::optional<WrittenVariable> Parser::variable(SyntaxId node) const {
   if (tree_[node].kind != SyntaxKind::power) return std::nullopt;
   const SyntaxId base = tree_.child(node, 0);
   const SyntaxId exponent = tree_.child(node, 1);
+  const bool greek = tree_[base].kind == SyntaxKind::symbol && tree_[exponent].kind == SyntaxKind::symbol &&
+                     tree_.symbol(base).letter == "x" && tree_.symbol(base).lower.empty() &&
+                     is_greek(tree_.symbol(exponent).letter);
+  if (greek) {  // by `x^\mu`, as \partial_\mu is
+    WrittenVariable variable{tree_.symbol(base)};
+    variable.symbol.lower.push_back({tree_.symbol(exponent).letter, IndexForm::greek,
+                                     tree_.symbol(exponent).primes, tree_[exponent].span});
+    return variable;
+  }
   if (tree_[base].kind != SyntaxKind::symbol || tree_[exponent].kind != SyntaxKind::number)
     return std::nullopt;
   const std::string& times = tree_.text(exponent);

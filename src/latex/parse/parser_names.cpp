@@ -76,10 +76,21 @@ SyntaxId Parser::asked(Cursor& cursor) {
   return tree_.add_symbol(place, std::move(symbol));
 }
 
-SyntaxId Parser::box_operator(Span place) {
-  return opaque(place,
-                "a square before an operand is d'Alembert's operator, which is not read; with `\\,` after "
-                "it, it is a hole");
+/// `\Box A^\mu` is a derivative by `x_\Box`: in space-time it is \partial_\mu\partial^\mu.
+SyntaxId Parser::box_operator(Cursor& cursor, SyntaxId box, Span place) {
+  const bool bare = tree_[box].kind == SyntaxKind::symbol && tree_.symbol(box).letter == hole_letter;
+  if (!bare) return opaque(tree_[box].span, "d'Alembert's operator in a bracket or to a power is not read");
+  WrittenVariable variable;
+  variable.symbol.letter = "x";
+  variable.symbol.letter_span = place;
+  variable.symbol.lower.push_back({box_letter, IndexForm::word, 0, place});
+  cursor.skip_spacing();
+  const SyntaxId operand = factor(cursor);
+  cursor.skip_spacing();
+  const Span whole = cover(place, tree_[operand].span);
+  if (!cursor.done() && !starts_sign(cursor) && factor_joint(cursor.token()) == Joint::none)
+    return unclear_operand(whole);
+  return tree_.add_derivative(whole, {true, {std::move(variable)}}, operand);
 }
 
 SyntaxId Parser::letter(Cursor& cursor) {

@@ -139,6 +139,12 @@ SyntaxId Parser::partial(Cursor& cursor) {
     return skip_blank(tokens, order->next);
   };
   script = take_order(script);
+  if (order && !is_kind_at(tokens, script, TokenKind::subscript)) {
+    if (auto raised = read_raised_indices(order->content)) {
+      cursor.at = order->next;
+      return act_by(cursor, *std::move(raised), cover(token.span, span_of(order->content)));
+    }
+  }
   if (!is_kind_at(tokens, script, TokenKind::subscript))
     return opaque(token.span, "`\\partial` without an index or a fraction is not read");
   const Argument argument = script_argument_at(tokens, script + 1);
@@ -151,6 +157,32 @@ SyntaxId Parser::partial(Cursor& cursor) {
   const Span span = cover(token.span, span_of(tokens.subspan(script, cursor.at - script)));
   if (obstacle) return tree_.add_opaque(span, *obstacle);
   if (order && !take_times(order->content, by)) return opaque(span, "a power of `\\partial` is not read");
+  return act_by(cursor, std::move(by), span);
+}
+
+/// `^\mu`, `^{\mu\nu}`: Greek letters, and nothing else.
+std::optional<std::vector<WrittenVariable>> Parser::read_raised_indices(TokenView content) {
+  const IndexReading reading = read_indices(content);
+  const auto is_greek_index = [](const WrittenIndex& index) {
+    return index.form == IndexForm::greek && index.primes == 0;
+  };
+  if (reading.obstacle || reading.indices.empty() || !std::ranges::all_of(reading.indices, is_greek_index))
+    return std::nullopt;
+  std::vector<WrittenVariable> by;
+  for (WrittenIndex index : reading.indices) {
+    index.raised = true;
+    WrittenVariable variable;
+    variable.symbol.letter = "x";
+    variable.symbol.letter_span = index.span;
+    variable.symbol.lower.push_back(std::move(index));
+    by.push_back(std::move(variable));
+  }
+  read(content);
+  return by;
+}
+
+/// What ∂ acts on, which begins at the cursor. `span`: of ∂ with its scripts.
+SyntaxId Parser::act_by(Cursor& cursor, std::vector<WrittenVariable> by, Span span) {
   cursor.skip_spacing();
   if (cursor.done() || starts_sign(cursor) || factor_joint(cursor.token()) != Joint::none)
     return opaque(span, "this derivative has nothing after it to act on");
@@ -206,8 +238,7 @@ std::optional<Obstacle> Parser::read_partial_index(TokenView content, std::vecto
   if (reading.obstacle) return reading.obstacle;
   if (reading.indices.empty()) return Obstacle{DiagnosticKind::bad_syntax, "the subscript is empty", {}};
   for (const WrittenIndex& index : reading.indices) {
-    const bool either =
-        is_one_of(index.text, {"r", "s", "\\rho", "\\sigma"}) || index.form == IndexForm::word;
+    const bool either = is_one_of(index.text, {"r", "s"}) || index.form == IndexForm::word;
     if (either)
       return Obstacle{DiagnosticKind::ambiguous_reading,
                       fmt::format("`{}` can be an index here, or the variable of the derivative", index.text),

@@ -64,6 +64,7 @@ struct WrittenIndex {
   IndexForm form = IndexForm::letter;
   std::uint8_t primes = 0;
   Span span;
+  bool raised = false;  // it stands above the letter: `\partial^\mu`
 };
 
 struct WrittenSymbol {
@@ -75,6 +76,7 @@ struct WrittenSymbol {
   std::string change =
       {};  // `\delta` or `\Delta` before the letter: `\delta\mathbf{A}` is one symbol, a change of A
   std::vector<WrittenIndex> lower = {};
+  std::uint8_t raised_at = 0;  // of `lower`, how many are before what stands above: 1 for `F_\mu{}^\nu`
   Span letter_span = {};
 };
 

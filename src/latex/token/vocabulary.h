@@ -62,6 +62,7 @@ enum class RelationKind : std::uint8_t {
 [[nodiscard]] bool is_greek(std::string_view letter);
 /// A hole: the letter of `\square`, `\Box`, and of `?` where an operand is expected.
 inline constexpr std::string_view hole_letter = "\\square";
+inline constexpr const char* box_letter = "\\Box";  // what d'Alembert's operator differentiates by
 /// Is `?` at this place the operand that a reader asks for, rather than the mark of a question?
 [[nodiscard]] bool is_asking_mark(std::span<const Token> tokens, std::size_t at);
 
