@@ -13,6 +13,7 @@
 #include "check/law/restated.h"
 #include "check/law/solves.h"
 #include "check/law/states.h"
+#include "check/meaning/identity_reading.h"
 #include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/repair/missing_condition.h"
@@ -154,7 +155,7 @@ class Suspecting {
       return !of_another;
     });
     if (found.empty()) return std::nullopt;
-    return Suspicion{std::move(found.front().repair), std::move(found.front().uses)};
+    return Suspicion{std::move(found.front().repair), std::move(found.front().uses), found.front().slip};
   }
 
   /// `\langle xy\rangle = \langle x\rangle\langle y\rangle` says something of a distribution, and so does
@@ -242,14 +243,16 @@ class Suspecting {
     const auto likely = std::ranges::find_if(
         found, [](const TrueNeighbour& each) { return !adds_an_unusual_term(each.repair); });
     if (likely == found.end()) return std::nullopt;
-    return Suspicion{std::move(likely->repair), std::move(likely->uses)};
+    return Suspicion{std::move(likely->repair), std::move(likely->uses), likely->slip};
   }
 
   /// What the statement rests on; nothing if it is not proved, or says nothing. No sets: an identity.
   std::optional<std::vector<std::string>> proved(ExprTree& tree, const Names& names, const Claim& claim,
                                                  Slip slip, const std::vector<Laws>& sets) {
     if (repeats(tree, claim.equation)) return std::nullopt;
-    if (claim.equation.relation != Relation::equal || adds_letters(tree, claim.equation)) return std::nullopt;
+    if (claim.equation.relation != Relation::equal || adds_letters(tree, claim.equation) ||
+        repeats_a_term(tree, claim.equation))
+      return std::nullopt;
     const Names without = without_laws(names);
     const bool may_repeat = row_.announced && !changes_a_letter(slip);
     if (!may_repeat && is_said_already(tree, without, claim.equation, sets)) return std::nullopt;
@@ -283,6 +286,16 @@ class Suspecting {
   /// Where laws are needed, what holds without them says nothing.
   bool holds_by_itself(ExprTree& tree, const Names& names, const Claim& claim) {
     return judge(tree, names, claim, limits_of_candidates, &cache_).verdict == Verdict::proved;
+  }
+
+  /// `\cosh^2x + \cosh^2x = 2\cosh^2x`: nobody writes one term twice.
+  static bool repeats_a_term(const ExprTree& tree, const Equation& equation) {
+    return std::ranges::any_of(std::array{equation.left, equation.right}, [&](ExprId side) {
+      std::set<std::string> terms;
+      return std::ranges::any_of(signed_terms(tree, side), [&](const SignedTerm& term) {
+        return !terms.insert((term.negative ? "-" : "") + dump(tree, term.id)).second;
+      });
+    });
   }
 
   /// Both sides of the row are the same but for a number, and no condition changes that.

@@ -17,6 +17,7 @@ namespace rigor {
 struct Suspicion {
   Repair repair;
   std::vector<std::string> uses;  // what the repaired statement follows from; of an identity, conventions
+  Slip slip = Slip::sign;         // that it takes back
 };
 
 /// A row that does not follow, and what it may have been meant to follow from.

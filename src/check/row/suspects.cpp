@@ -24,6 +24,7 @@
 #include "check/prose/other_case.h"
 #include "check/prose/restrictions.h"
 #include "check/prose/said_around.h"
+#include "check/prose/subjects.h"
 #include "check/question/decision_cache.h"
 #include "check/repair/sides_near.h"
 #include "check/repair/suspicion.h"
@@ -53,23 +54,6 @@ Laws grounds_for_suspicion(const RowPlace& place, Laws laws) {
 Laws without_cases(Laws laws) {
   std::erase_if(laws, [](const PageLaw* law) { return law->of_a_case; });
   return laws;
-}
-
-/// "In an incompressible fluid, this reduces to", "For the second wire": a sentence that begins by saying of
-/// what it speaks. "For this", "In general" and "With (3)" say nothing of the kind.
-bool begins_with_a_case(std::string_view lead) {
-  static constexpr auto openings = std::to_array<std::string_view>({"in", "for", "at", "on", "as", "near"});
-  static constexpr auto neutral = std::to_array<std::string_view>(
-      {"this", "that",    "the",  "these", "general",    "fact",   "particular", "all",
-       "any",  "every",   "each", "terms", "components", "index",  "other",      "words",
-       "both", "numbers", "our",  "its",   "which",      "before", "above"});
-  const std::string text = lowered(lead);
-  const std::vector<std::string_view> words = words_of(text);
-  for (std::size_t k = 0; k + 1 < words.size() && k < 3; ++k) {
-    if (!is_one_of(words[k], openings)) continue;
-    if (!is_one_of(words[k + 1], neutral)) return true;
-  }
-  return false;
 }
 
 /// "For a disc", "On the way down it is", "Then it runs": a sentence that may speak of something else than
@@ -415,23 +399,6 @@ bool speaks_of_another_curve(const RowPlace& place, const StepReading& row, cons
   });
 }
 
-/// Do words of the section say that matrices or operators may be multiplied in any order?
-bool may_commute(const RowPlace& place) {
-  static constexpr auto words = std::to_array<std::string_view>(
-      {"commut", "diagonal", "scalar", "abelian", "simultaneous", "polynomial", "axis", "numbers",
-       "eigenvectors", "share", "together", "compatible", "act on", "acts on", "different", "multiple of",
-       "independent", "spaces", "factors"});
-  const ProseBeside& here = beside(place);
-  const auto says = [](const std::string& text) {
-    return std::ranges::any_of(words,
-                               [&](std::string_view each) { return text.find(each) != std::string::npos; });
-  };
-  return says(lowered(place.section)) ||
-         std::ranges::any_of(place.notes.prose.sentences, [&](const ProseSentence& each) {
-           return place.notes.prose.sections.reaches(each.place, here.place) && says(lowered(each.text));
-         });
-}
-
 }  // namespace
 
 namespace {
@@ -456,63 +423,6 @@ bool repeats_a_row(const RowPlace& place, const StepReading& row, const Repair& 
 bool speaks_of_an_opposite(const RowPlace& place) {
   const std::size_t sentence = beside(place).sentence;
   return names_an_opposite_since(place.notes.prose, place.event, sentence > 1 ? sentence - 2 : 0);
-}
-
-/// "With two such coils", "The beam that is clamped has therefore", "Electrons": the words before the row,
-/// since the last display, begin with what they speak of, and not with "hence", "it" or "this".
-bool brings_in_a_subject(const RowPlace& place) {
-  static constexpr auto plain = std::to_array<std::string_view>({"hence",
-                                                                 "thus",
-                                                                 "so",
-                                                                 "therefore",
-                                                                 "and",
-                                                                 "it",
-                                                                 "this",
-                                                                 "that",
-                                                                 "these",
-                                                                 "they",
-                                                                 "we",
-                                                                 "which",
-                                                                 "consequently",
-                                                                 "whence",
-                                                                 "then",
-                                                                 "from",
-                                                                 "by",
-                                                                 "using",
-                                                                 "inserting",
-                                                                 "substituting",
-                                                                 "its",
-                                                                 "is",
-                                                                 "is,",
-                                                                 "i.e",
-                                                                 "or",
-                                                                 "to",
-                                                                 "finally",
-                                                                 "now",
-                                                                 "putting",
-                                                                 "combining",
-                                                                 "differentiating",
-                                                                 "integrating",
-                                                                 "solving",
-                                                                 "eliminating",
-                                                                 "dividing",
-                                                                 "multiplying",
-                                                                 "taking",
-                                                                 "our",
-                                                                 "one",
-                                                                 "because",
-                                                                 "since",
-                                                                 "together",
-                                                                 "being",
-                                                                 "their",
-                                                                 "here",
-                                                                 "with"});
-  const std::string& lead = beside(place).lead;
-  const std::string clause = lowered(lead.substr(lead.rfind('\n') + 1));
-  const std::vector<std::string_view> words = words_of(clause);
-  if (words.empty()) return false;
-  if (words.front() == "with") return words.size() < 2 || words[1] != "$";
-  return !is_one_of(words.front(), plain);
 }
 
 /// A case can make `\frac{a - b}{a + b}` equal to -1, and `\frac{-a - b}{a + b}` always is.
@@ -563,7 +473,7 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   if (may_be_of_another_family(place, claim) || !may_hold_a_slip(place, row)) return false;
   const bool ordered = has_operators(place.tree, claim.equation.left);
   const bool some_matrices = why_not_all_matrices(place.tree, place.names, claim.equation).has_value();
-  if (some_matrices && (!ordered || may_commute(place))) return false;
+  if (some_matrices && !ordered) return false;
   // "Solve `\ln x^2 = \ln x`": it says which values are meant.
   if (row.which == 0 && may_be_an_equation_of_letters(place.tree, claim.equation) &&
       asks_for_values(beside(place).lead))
@@ -573,9 +483,10 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   const bool of_a_case = may_be_of_a_case(place, row.parsed);
   const bool limited = of_a_case && row.which == 0;
   const bool new_subject =
-      begins_with_a_subject(place, row) || brings_in_a_subject(place) || is_an_example(place);
-  const bool restricted = judgement.verdict == Verdict::undecided || some_matrices ||
-                          speaks_of_an_opposite(place) || (limited && new_subject);
+      begins_with_a_subject(place, row) || brings_in_a_subject(beside(place).lead) || is_an_example(place);
+  const bool turns_around = row.which == 0 && speaks_of_an_opposite(place);
+  const bool restricted =
+      judgement.verdict == Verdict::undecided || some_matrices || turns_around || (limited && new_subject);
   const Laws here = grounds_for_suspicion(place, available_to(place, row.parsed));
   const bool solves = judgement.verdict != Verdict::undecided && goes_on_to_a_solution(place, row);
   const Laws to_be_solved = solves ? here : Laws{};
@@ -593,8 +504,12 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
                          *place.options.cache);
   if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
   const bool rests_on_rows = !found->uses.empty();
-  if (rests_on_rows && limited && repeats_a_row(place, row, found->repair)) return false;
-  if (!rests_on_rows && limited && simplifies_a_fraction(place.tree, claim.equation)) return false;
+  if (rests_on_rows && (limited || found->slip == Slip::factor) && repeats_a_row(place, row, found->repair))
+    return false;
+  if (!rests_on_rows && simplifies_a_fraction(place.tree, claim.equation)) return false;
+  if (found->slip == Slip::order && ordered &&
+      speaks_of_any_order(place.notes.prose, place.event, place.section))
+    return false;
   if (adds_a_new_rate(place, found->repair) || counts_in_the_plane(place, row) ||
       holds_with_lines(place, row, claim))
     return false;
@@ -609,6 +524,11 @@ bool excludes_the_other_in_general(Slip slip) {
   static constexpr std::array slips{Slip::order, Slip::product, Slip::indices_swapped,
                                     Slip::letters_exchanged};
   return excludes_the_other(slip) || std::ranges::find(slips, slip) != slips.end();
+}
+
+bool rests_on_laws(const RowPlace& place, const StepReading& row, const std::vector<std::string>& uses) {
+  return std::ranges::any_of(available_to(place, row.parsed),
+                             [&](const PageLaw* law) { return is_one_of(law->name, uses); });
 }
 
 /// Does it rest on what another section says, on a conclusion of which no proof was found, or on what is said
@@ -645,9 +565,11 @@ bool is_meant_to_follow(RowPlace& place, const StepReading& row, const Claim& cl
       kind == DiagnosticKind::undecided && has_operators(place.tree, claim.equation.left);
   if (!concludes && !((restricted || of_operators) && excludes)) return false;
   if (may_be_of_another_family(place, claim) || speaks_of_another_curve(place, row, claim) ||
-      speaks_of_an_opposite(place) || repeats_a_row(place, row, near.repair))
+      (row.which == 0 && speaks_of_an_opposite(place)) || repeats_a_row(place, row, near.repair))
     return false;
-  if (!near.uses.empty() && (begins_with_a_case(beside(place).lead) || brings_in_a_subject(place)))
+  const bool says_what_it_is = place.tree[claim.equation.left].op == Op::symbol;
+  if ((says_what_it_is || rests_on_laws(place, row, near.uses)) && !near.uses.empty() &&
+      (begins_with_a_case(beside(place).lead) || brings_in_a_subject(beside(place).lead)))
     return false;
   if (near.uses.empty() &&
       (speaks_of_averages(place.tree, claim.equation) || simplifies_a_fraction(place.tree, claim.equation)))
