@@ -43,18 +43,23 @@ bool brings_in_a_subject(std::string_view lead) {
 }
 
 bool speaks_of_any_order(const Prose& prose, std::size_t event, std::string_view heading) {
-  static constexpr auto words = std::to_array<std::string_view>(
-      {"commute", "commuting", "diagonal",     "scalar",      "abelian",  "simultaneous", "polynomial",
-       "axis",    "numbers",   "eigenvectors", "share",       "together", "compatible",   "act on",
-       "acts on", "different", "multiple of",  "independent", "spaces",   "factors"});
+  static constexpr auto anywhere = std::to_array<std::string_view>(
+      {"commute", "commuting", "diagonal", "scalar", "abelian", "simultaneous", "polynomial"});
+  static constexpr auto near_by =
+      std::to_array<std::string_view>({"axis", "numbers", "eigenvectors", "share", "together", "compatible",
+                                       "acts on", "different", "multiple of", "independent", "factors"});
   const ProseBeside& here = prose.beside[event];
-  const auto says = [](const std::string& text) {
+  const auto says = [](const std::string& text, const auto& words) {
     return text.find("not commut") == std::string::npos &&
            std::ranges::any_of(words,
                                [&](std::string_view each) { return text.find(each) != std::string::npos; });
   };
-  return says(lowered(heading)) || std::ranges::any_of(prose.sentences, [&](const ProseSentence& each) {
-           return prose.sections.reaches(each.place, here.place) && says(lowered(each.text));
+  return says(lowered(heading), anywhere) ||
+         std::ranges::any_of(prose.sentences, [&](const ProseSentence& each) {
+           if (!prose.sections.reaches(each.place, here.place)) return false;
+           const std::string text = lowered(each.text);
+           const bool near = each.number <= here.sentence && each.number + 2 > here.sentence;
+           return says(text, anywhere) || (near && says(text, near_by));
          });
 }
 

@@ -504,8 +504,7 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
                          *place.options.cache);
   if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
   const bool rests_on_rows = !found->uses.empty();
-  if (rests_on_rows && (limited || found->slip == Slip::factor) && repeats_a_row(place, row, found->repair))
-    return false;
+  if (rests_on_rows && limited && repeats_a_row(place, row, found->repair)) return false;
   if (!rests_on_rows && simplifies_a_fraction(place.tree, claim.equation)) return false;
   if (found->slip == Slip::order && ordered &&
       speaks_of_any_order(place.notes.prose, place.event, place.section))
