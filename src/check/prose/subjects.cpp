@@ -58,7 +58,7 @@ bool speaks_of_any_order(const Prose& prose, std::size_t event, std::string_view
          std::ranges::any_of(prose.sentences, [&](const ProseSentence& each) {
            if (!prose.sections.reaches(each.place, here.place)) return false;
            const std::string text = lowered(each.text);
-           const bool near = each.number <= here.sentence && each.number + 2 > here.sentence;
+           const bool near = each.number <= here.sentence && each.number + 4 > here.sentence;
            return says(text, anywhere) || (near && says(text, near_by));
          });
 }

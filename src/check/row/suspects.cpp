@@ -466,14 +466,27 @@ void suspect(const Claim& claim, Repair repair, std::vector<std::string> uses, J
   judgement.repairs = {std::move(repair)};
 }
 
+/// Why no slip of the pen is suspected although what is near holds. `limited`: the row may be of a case.
+bool is_explained_otherwise(RowPlace& place, const StepReading& row, const Claim& claim,
+                            const Suspicion& found, bool limited) {
+  if (!rests_on_what_is_said_here(place, row, found.uses)) return true;
+  const bool identity = found.uses.empty();
+  if (!identity && limited && repeats_a_row(place, row, found.repair)) return true;
+  if (identity && simplifies_a_fraction(place.tree, claim.equation)) return true;
+  if (found.slip == Slip::order && has_operators(place.tree, claim.equation.left) &&
+      speaks_of_any_order(place.notes.prose, place.event, place.section))
+    return true;
+  return adds_a_new_rate(place, found.repair) || counts_in_the_plane(place, row) ||
+         holds_with_lines(place, row, claim);
+}
+
 }  // namespace
 
 bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (is_open_row_of_states(place, row, claim)) return false;
   if (may_be_of_another_family(place, claim) || !may_hold_a_slip(place, row)) return false;
-  const bool ordered = has_operators(place.tree, claim.equation.left);
   const bool some_matrices = why_not_all_matrices(place.tree, place.names, claim.equation).has_value();
-  if (some_matrices && !ordered) return false;
+  if (some_matrices && !has_operators(place.tree, claim.equation.left)) return false;
   // "Solve `\ln x^2 = \ln x`": it says which values are meant.
   if (row.which == 0 && may_be_an_equation_of_letters(place.tree, claim.equation) &&
       asks_for_values(beside(place).lead))
@@ -502,16 +515,7 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   auto found = suspicion(place.tree, names,
                          {wrong, claim, grounds, to_be_solved, may_lack_a_term, restricted, limited},
                          *place.options.cache);
-  if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
-  const bool rests_on_rows = !found->uses.empty();
-  if (rests_on_rows && limited && repeats_a_row(place, row, found->repair)) return false;
-  if (!rests_on_rows && simplifies_a_fraction(place.tree, claim.equation)) return false;
-  if (found->slip == Slip::order && ordered &&
-      speaks_of_any_order(place.notes.prose, place.event, place.section))
-    return false;
-  if (adds_a_new_rate(place, found->repair) || counts_in_the_plane(place, row) ||
-      holds_with_lines(place, row, claim))
-    return false;
+  if (!found || is_explained_otherwise(place, row, claim, *found, limited)) return false;
   suspect(claim, std::move(found->repair), std::move(found->uses), judgement);
   return true;
 }
