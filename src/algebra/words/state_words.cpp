@@ -114,8 +114,9 @@ class Instance {
       const WordSum number = read_(expression(as_expression(coefficient, parts_, {})));
       add_to(result, times(number, WordSum{{own, rational({1, 1})}}));
     }
-    // `H|n\rangle = E|n\rangle`: E may be another one for another n.
-    if (fixed_letters_ && !numbered_letters_)
+    // `H|n\rangle = E|n\rangle`: E may be another one for another n. In `S|i\rangle = |f\rangle` nothing says
+    // that i is any number.
+    if ((fixed_letters_ || operators_) && !numbered_letters_)
       throw Undecidable("a letter of a law may depend on the number of its state");
     return result;
   }
@@ -127,6 +128,7 @@ class Instance {
     const Symbol& symbol = tree().symbols[id];
     if (!symbol.ket) {
       if (depends(symbol)) throw Undecidable("an operator of a law has the number of a state");
+      operators_ = true;
       return id;
     }
     if (symbol.derivation) throw Undecidable("a rate of a state is not that of another one");
@@ -257,6 +259,7 @@ class Instance {
   const Numbers& numbers_;
   CommutingParts& parts_;
   bool fixed_letters_ = false;
+  bool operators_ = false;
   bool numbered_letters_ = false;
   const std::function<WordSum(ExprId)>& read_;
 };

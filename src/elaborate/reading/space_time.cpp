@@ -161,6 +161,7 @@ std::optional<Slot> event_slot(Reading& reading, const WrittenIndex& index, cons
   if (const auto fixed = around.axes.find(index.text); fixed != around.axes.end())
     return Slot{fixed->second, {}};
   const IndexId id = index_named(reading, index.text, space_time);
+  if (reading.tree.space(id) != space_time) return std::nullopt;  // `i` runs over the axes of space here
   const Height height = index.raised ? Height::above : Height::below;
   if (!reading.indices.summed.contains(index.text))
     free.push_back({index.text, id, index.span, false, height});

@@ -290,6 +290,16 @@ std::optional<MaybeTyped> raised_letter(Reading& reading, SyntaxId power, const 
   return with_indices(reading, written, above, syntax[power].span, around);
 }
 
+namespace {
+
+/// `i`, `2`; not `0`, `x` or a word.
+bool is_axis_of_space(const WrittenIndex& index) {
+  if (index.form == IndexForm::digit) return index.text >= "1" && index.text <= "3" && index.text.size() == 1;
+  return index.form == IndexForm::letter && index.text.size() == 1 && index.text >= "i" && index.text <= "n";
+}
+
+}  // namespace
+
 std::optional<MaybeTyped> lowered_letter(Reading& reading, const WrittenSymbol& written, Span span,
                                          const Around& around) {
   const Evidence& evidence = evidence_of(reading);
@@ -307,6 +317,15 @@ std::optional<MaybeTyped> lowered_letter(Reading& reading, const WrittenSymbol& 
                          std::ranges::all_of(written.lower, [](const WrittenIndex& index) {
                            return index.form == IndexForm::digit || index.form == IndexForm::letter;
                          });
+  // In `a_ib^i` beside a^\mu and \mathbf a the sign depends on which of them is meant.
+  if (!greek && !component && counts.contains(1) && written.lower.size() == 1 &&
+      is_axis_of_space(written.lower[0]) &&
+      reading.names.symbols.sightings->bold.contains({letter_with_marks(written), false}))
+    return MaybeTyped(ambiguous(
+        reading, span,
+        fmt::format(
+            "this can be a component of the vector `\\mathbf{{{0}}}`, or of `{0}` with its index below",
+            written.letter)));
   if (!greek && !component) return std::nullopt;
   return with_indices(reading, written, {}, span, around);
 }
