@@ -9,6 +9,7 @@
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/change.h"
 #include "elaborate/reading/product.h"
+#include "elaborate/symbol/space_time_letter.h"
 
 namespace rigor {
 namespace {
@@ -120,6 +121,15 @@ MaybeTyped differential_at(Reading& reading, std::span<const SyntaxChild> factor
 
 MaybeTyped elaborate_term(Reading& reading, SyntaxId id, const Around& around) {
   const std::vector<SyntaxChild> factors = without_arguments(reading, reading.syntax.children(id));
+  for (std::size_t k = 1; k < factors.size(); ++k) {
+    const bool both = factors[k].joint == Joint::dot && is_four_vector(reading, factors[k - 1].id) &&
+                      is_four_vector(reading, factors[k].id);
+    if (both)
+      return ambiguous(reading,
+                       cover(reading.syntax[factors[k - 1].id].span, reading.syntax[factors[k].id].span),
+                       "this can be a product of four-vectors, or of numbers",
+                       {"with indices, as in `p_\\mu k^\\mu`, it is read"});
+  }
   std::vector<Operand> operands;
   bool failed = false;
   for (std::size_t k = 0; k < factors.size();) {

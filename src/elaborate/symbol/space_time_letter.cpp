@@ -330,6 +330,13 @@ std::optional<MaybeTyped> lowered_letter(Reading& reading, const WrittenSymbol& 
   return with_indices(reading, written, {}, span, around);
 }
 
+bool is_four_vector(const Reading& reading, SyntaxId id) {
+  if (!evidence_of(reading).space_time.shown || reading.syntax[id].kind != SyntaxKind::symbol) return false;
+  const WrittenSymbol& written = reading.syntax.symbol(id);
+  return written.face == Face::plain && is_tensor(reading, written) &&
+         evidence_of(reading).space_time.tensors.at(letter_with_marks(written)).contains(1);
+}
+
 bool is_coordinate_on_line(const Reading& reading, const WrittenSymbol& written) {
   const SpaceTime& seen = evidence_of(reading).space_time;
   const bool plain = written.letter == "x" && written.lower.empty() && written.primes == 0;

@@ -12,6 +12,8 @@ namespace rigor {
 /// The same for a letter that has indices below only.
 [[nodiscard]] std::optional<MaybeTyped> lowered_letter(Reading& reading, const WrittenSymbol& written,
                                                        Span span, const Around& around);
+/// `p` of `p\cdot k` in a section with p^\mu.
+[[nodiscard]] bool is_four_vector(const Reading& reading, SyntaxId id);
 /// x^2 beside x^\mu: x, y and z stand on the line, so that it is a square.
 [[nodiscard]] bool is_coordinate_on_line(const Reading& reading, const WrittenSymbol& written);
 
