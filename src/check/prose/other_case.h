@@ -23,8 +23,8 @@ struct CaseSaid {
 /// The same of something in a line.
 [[nodiscard]] CaseSaid case_said_in(const Prose& prose, std::size_t sentence, const std::string& heading);
 
-/// "In the opposite direction", "now it goes down", "by the other convention": in the sentences behind one,
-/// up to the display at `event`, or beside it.
+/// "In the opposite direction", "now it goes down": in the sentences behind one, up to the display at
+/// `event`, or beside it.
 [[nodiscard]] bool names_an_opposite_since(const Prose& prose, std::size_t event, std::size_t sentence);
 
 /// What is named between these and a row.

@@ -31,10 +31,8 @@ bool begins_with_a_case(std::string_view lead) {
 bool brings_in_a_subject(std::string_view lead) {
   static const WordSet plain(
       "hence thus so therefore consequently whence then finally now here and or it this that these they we "
-      "one "
-      "our its their which is to from by using with because since together being taking inserting "
-      "substituting "
-      "putting combining differentiating integrating solving eliminating dividing multiplying");
+      "one our its their which is to from by using with because since together being taking inserting "
+      "substituting putting combining differentiating integrating solving eliminating dividing multiplying");
   const std::string clause = lowered(lead.substr(lead.rfind('\n') + 1));
   const std::vector<std::string_view> words = words_of(clause);
   if (words.empty()) return false;
