@@ -13,6 +13,9 @@
 namespace rigor {
 namespace {
 
+/// In tokens. What follows goes as deep as a name does.
+constexpr std::size_t longest_name = 100;
+
 /// The name in one spelling: scripts in braces, no blanks, no braces around a whole.
 std::string spelled_label(TokenView tokens) {
   tokens = trim(tokens);
@@ -130,6 +133,7 @@ bool is_whole_group(TokenView tokens, std::size_t at) {
 SyntaxId Parser::state_named(const char* kind, TokenView content, Span span) {
   content = trim(content);
   if (content.empty()) return opaque(span, "a ket or bra without a name is not read");
+  if (content.size() > longest_name) return opaque(span, "so long a name of a ket or bra is not read");
   std::string name;
   for (const TokenView part : parts_of_label(content)) {
     if (const char* reason = why_no_name(part))

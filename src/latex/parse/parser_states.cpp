@@ -5,6 +5,7 @@
 #include "base/among.h"
 #include "latex/parse/parser.h"
 #include "latex/token/cover_tokens.h"
+#include "latex/token/state_places.h"
 
 namespace rigor {
 namespace {
@@ -18,7 +19,7 @@ std::size_t behind_stars(TokenView tokens, std::size_t at) {
 std::size_t behind_angles(TokenView tokens, std::size_t open) {
   int depth = 0;
   for (std::size_t at = open; at < tokens.size(); ++at) {
-    if (is_control(tokens[at], "langle")) ++depth;
+    if (is_control(tokens[at], "langle") && ++depth > deepest_states) return open + 1;
     if (is_control(tokens[at], "rangle") && --depth == 0) return at + 1;
   }
   const auto is_bar = [](const Token& token) {

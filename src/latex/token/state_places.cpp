@@ -25,7 +25,7 @@ StateAngles state_angles(TokenView tokens, std::size_t open) {
   int inside = 0;
   for (std::size_t at = open + 1; at < tokens.size(); ++at) {
     if (nesting.enter(tokens[at]) != 0) continue;
-    if (is_control(tokens[at], "langle")) ++inside;
+    if (is_control(tokens[at], "langle") && ++inside > deepest_states) break;
     if (is_control(tokens[at], "rangle") && --inside < 0) {
       found.close = at;
       break;
@@ -78,6 +78,7 @@ std::size_t behind_states(TokenView tokens, std::size_t at) {
 }
 
 bool is_bar_of_one_state(TokenView tokens, std::size_t bar) {
+  if (bar >= tokens.size() || !is_any_bar(tokens[bar])) return false;
   const auto is_end = [](const Token& token) {
     return is_any_bar(token) || is_control_of(token, {"middle", "\\", "cr"}) ||
            token.kind == TokenKind::align;

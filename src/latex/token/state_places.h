@@ -8,6 +8,9 @@
 
 namespace rigor {
 
+/// Brackets of states in one another: to look for an end beyond them would take the square of a row's length.
+inline constexpr int deepest_states = 50;
+
 /// What `\langle` opens: the bars that belong to it, and its `\rangle`, or the number of tokens.
 struct StateAngles {
   std::vector<std::size_t> bars;

@@ -126,6 +126,14 @@ TEST_CASE("brackets nest as deep as is allowed, and deeper ones are refused with
   CHECK(parsed(repeated("\\hat", 50000)).find("nesting-too-deep") != std::string::npos);
 }
 
+TEST_CASE("states nested without end are refused without a crash") {
+  for (const char* text :
+       {"\\langle", "\\langle x|", "|x", "\\left|x", "\\left(x", "\\ket{", "|x\\rangle\\langle"}) {
+    INFO(text);
+    CHECK_FALSE(parsed(repeated(text, 50000) + "x").empty());
+  }
+}
+
 TEST_CASE("a style over an expression is not read, over a zero it is") {
   CHECK(parsed("\\mathbf{a+b}") == "(sum +vector:a +vector:b)");
   CHECK(parsed("\\hat{\\hat{a}}") == "<unsupported>");
